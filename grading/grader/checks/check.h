@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/prober/prober.h>
+#include <grader/results/results.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+/// What a check may do: ask the student's code, ask ours, and derive fresh random numbers.
+class CheckContext {
+public:
+    virtual ~CheckContext() = default;
+
+    /// Asks the variant under test: the student's part, and upstream parts as the engine chose.
+    virtual ProbeAnswer ask(const protocol::RequestGroup &group) = 0;
+
+    /// Asks our own complete implementation the same.
+    virtual ProbeAnswer askReference(const protocol::RequestGroup &group) = 0;
+
+    /// A seed that depends on the run, the check, and these, and on nothing else.
+    virtual std::uint64_t seed(std::string_view purpose, int stage = 0,
+                               int replicate = 0) const = 0;
+};
+
+/// One row of the check table.
+struct Check {
+    std::string id; ///< `warp.triangle.pdf`; its item is the longest rubric item id it starts with
+    std::string item;     ///< rubric item id
+    std::string what;     ///< one sentence for people: what is claimed of right code
+    double tolerance = 0; ///< default of RubricCheck::tolerance
+    double gross = 0;     ///< default of RubricCheck::gross
+    std::function<CheckResult(CheckContext &)> run;
+};
+
+/// All checks, in the order in which they are run.
+const std::vector<Check> &checkTable();
+
+/// \return  nullptr if there is none
+const Check *findCheck(std::string_view id);
+
+} // namespace grader

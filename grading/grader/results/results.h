@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// What a grading run found: plain values, from which every report is made.
+namespace grader {
+
+enum class Verdict {
+    Pass,         ///< right within the stated tolerance
+    Fail,         ///< wrong, confirmed
+    Inconclusive, ///< the data cannot tell; see the minimal detectable error
+    Missing,      ///< not handed in, or still throws "not implemented"
+    BuildError,   ///< does not compile or link
+    Crash,        ///< ended by a signal, exit or a broken answer
+    Timeout,      ///< used up its CPU or wall time
+    Infra,        ///< our own failure; never costs a point
+    Human,        ///< someone has to look
+};
+
+/// `pass`, `build_error`, ... as in results.json.
+const char *verdictName(Verdict verdict);
+
+/// How much a defect may cost; set per check in the rubric.
+enum class Severity {
+    Blemish, ///< never costs a point; told as a remark
+    Latent,  ///< costs at most the fraction of the item that the rubric sets
+    Visible, ///< costs by effect
+};
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// The outcome of one check. Numbers that do not apply are NaN (null in JSON).
+struct CheckResult {
+    std::string id; ///< e.g. `warp.triangle.pdf`
+    Verdict verdict = Verdict::Infra;
+    double effect = kNoNumber; ///< size of the deviation, relative unless `message` says otherwise
+    double mde = kNoNumber;    ///< minimal detectable effect at the check's level and power
+    double p = kNoNumber;      ///< of the last stage that was run
+    std::string message;       ///< one sentence: what was measured and found
+    std::string diagnosis;     ///< the likely mistake, empty when none is known
+    Severity severity = Severity::Visible; ///< filled in by scoring from the rubric
+    double score = 1;    ///< fraction of the check's weight that is kept [0, 1]; by scoring
+    std::string variant; ///< which parts were the student's, e.g. `student` or `reference warp`
+};
+
+struct ItemResult {
+    std::string id;
+    std::string title;
+    double points = 0; ///< kept
+    double max = 0;
+    bool extra = false;
+    Verdict verdict = Verdict::Infra;
+    std::string reason; ///< one line: why points were lost, or what stands
+    std::vector<CheckResult> checks;
+};
+
+/// Something a person should know about a hand-in; it never costs a point by itself.
+struct Note {
+    enum class Level { Info, Odd, Human };
+    Level level = Level::Info;
+    std::string file; ///< as in the hand-in; may be empty
+    std::string text;
+};
+
+/// Seconds of wall clock, by phase.
+struct Timing {
+    double ingest = 0, compile = 0, link = 0, sample = 0, judge = 0, total = 0;
+};
+
+struct SubmissionResult {
+    std::string name;                 ///< of the zip or folder, without `.zip`
+    std::vector<std::string> members; ///< NIPs from the name
+    double total = 0;
+    double cap = 0;
+    bool marked = true;  ///< false for `check`: no points are shown
+    std::string sandbox; ///< level, `S3`
+    std::string seed;    ///< 32 hexadecimal digits
+    std::vector<ItemResult> items;
+    std::vector<Note> notes;
+    Timing timing;
+};
+
+} // namespace grader
