@@ -30,8 +30,9 @@ public:
 
 /// One row of the check table.
 struct Check {
-    std::string id; ///< `warp.triangle.pdf`; its item is the longest rubric item id it starts with
+    std::string id;       ///< `warp.triangle.density`
     std::string item;     ///< rubric item id
+    std::string group;    ///< whose code it judges: a row of the engine's group table, `warp`
     std::string what;     ///< one sentence for people: what is claimed of right code
     double tolerance = 0; ///< default of RubricCheck::tolerance
     double gross = 0;     ///< default of RubricCheck::gross
