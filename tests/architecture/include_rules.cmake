@@ -6,10 +6,11 @@ set(ALLOWED
     "renderer:nori"
     "warptest/statistics:statistics"
     "warptest/catalog:catalog"
+    "warptest/battery:battery,catalog,statistics"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"
-    "grading/grader:grader,protocol,catalog,statistics")
-set(OURS "catalog|grader|nori|probe|protocol|statistics")
+    "grading/grader:grader,protocol,battery,catalog,statistics")
+set(OURS "battery|catalog|grader|nori|probe|protocol|statistics")
 
 foreach(row IN LISTS ALLOWED)
     string(REGEX MATCH "^([^:]+):(.+)$" _ ${row})
