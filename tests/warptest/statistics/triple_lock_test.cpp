@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <statistics/triple_lock.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+using namespace statistics; // NOLINT(google-build-using-namespace): the namespace under test
+
+namespace {
+
+/// A test whose stages have been decided beforehand.
+LockResult replay(const std::vector<StageResult> &stages, const LockConfig &config = {}) {
+    return tripleLock([&](const StageRequest &request) { return stages.at(request.index); },
+                      config);
+}
+
+StageResult rejecting(double deviation = 1.0) {
+    StageResult result;
+    result.pValue = 0.0;
+    result.deviation = {deviation};
+    return result;
+}
+
+} // namespace
+
+TEST(TripleLock, AccusesAfterThreeRejectionsInTheSameDirection) {
+    const LockResult result = replay({rejecting(), rejecting(), rejecting()});
+    EXPECT_EQ(result.decision, Decision::Fail);
+    EXPECT_EQ(result.stages.size(), 3U);
+}
+
+TEST(TripleLock, AsksEachStageAtItsLevelAndSize) {
+    std::vector<StageRequest> requests;
+    tripleLock([&](const StageRequest &request) {
+        requests.push_back(request);
+        return rejecting();
+    });
+    ASSERT_EQ(requests.size(), 3U);
+    EXPECT_EQ(requests[1].index, 1U);
+    EXPECT_EQ(requests[0].significance, 1e-4);
+    EXPECT_EQ(requests[2].significance, 1e-5);
+    EXPECT_EQ(requests[1].sampleFactor, 4);
+    EXPECT_EQ(requests[2].sampleFactor, 16);
+}
+
+TEST(TripleLock, DoesNotAccuseWhenTheDirectionTurns) {
+    const LockResult result = replay({rejecting(1.0), rejecting(-1.0), rejecting(1.0)});
+    EXPECT_EQ(result.decision, Decision::Inconclusive);
+    EXPECT_FALSE(result.sameDeviation);
+    EXPECT_EQ(result.stages.size(), 2U);
+}
+
+TEST(TripleLock, PassesOnlyWithABoundOfTheError) {
+    StageResult quiet;
+    quiet.pValue = 0.5;
+    quiet.effectBound = 0.01;
+    EXPECT_EQ(replay({quiet}, {.passLimit = 0.02}).decision, Decision::Pass);
+    EXPECT_EQ(replay({quiet}, {.passLimit = 0.005}).decision, Decision::Inconclusive);
+    EXPECT_EQ(replay({rejecting(), quiet}, {.passLimit = 0.02}).decision, Decision::Pass);
+}
+
+TEST(TripleLock, NeitherPassesNorFailsOnWhatIsNoNumber) {
+    StageResult broken;
+    broken.pValue = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(replay({broken}).decision, Decision::Inconclusive);
+    StageResult unreliable = rejecting();
+    unreliable.reliable = false;
+    EXPECT_EQ(replay({unreliable}).decision, Decision::Inconclusive);
+}
+
+TEST(TripleLock, ConfirmsAGrossErrorOnce) {
+    StageResult gross = rejecting();
+    gross.z = 12.0;
+    gross.effect = 0.06;
+    const LockConfig config{.tolerance = 0.01};
+    EXPECT_EQ(replay({gross, rejecting()}, config).decision, Decision::Fail);
+    EXPECT_EQ(replay({gross, rejecting()}, config).stages.size(), 2U);
+    gross.effect = 0.04; // as certain, but small: the whole lock
+    EXPECT_EQ(replay({gross, rejecting(), rejecting()}, config).stages.size(), 3U);
+}
+
+TEST(DeviationAgreement, IsTheCosine) {
+    EXPECT_DOUBLE_EQ(deviationAgreement({1.0, 0.0}, {1.0, 1.0}), 1.0 / std::sqrt(2.0));
+    EXPECT_EQ(deviationAgreement({}, {}), 1.0);
+    EXPECT_EQ(deviationAgreement({1.0}, {}), 0.0);
+    EXPECT_EQ(deviationAgreement({0.0}, {1.0}), 0.0);
+}
