@@ -38,12 +38,14 @@ bool isRight(const catalog::WarpEntry &entry, const catalog::Point &p, double a,
     return std::fabs(pdf / exact - 1.0) <= relativeTolerance(entry, p, a);
 }
 
-/// At the boundary the density of either side will do. Where the formula itself goes through zero,
-/// anything up to its value at the band's edge is either side's.
+/// Rounding of a cosine at the horizon that is recovered from the sine: sqrt(4 * 2^-24).
+constexpr double kHorizonRounding = 5e-4;
+
+/// At the boundary the density of either side will do.
 bool isRightAtBoundary(const catalog::WarpEntry &entry, const catalog::Point &p, double a,
                        double pdf) {
     const double inside = std::fabs(entry.formula(p, a));
-    return pdf == 0.0 || std::fabs(pdf - inside) <= 1e-3 * inside + 2.0 * catalog::kBoundaryBand;
+    return pdf == 0.0 || std::fabs(pdf - inside) <= 1e-3 * inside + kHorizonRounding;
 }
 
 bool isAtBoundary(const catalog::WarpEntry &entry, const catalog::Point &p) {

@@ -22,7 +22,7 @@ StratifiedResult judgeStratified(const catalog::WarpEntry &entry, double a,
     result.invalid = points.invalid();
     result.threshold = catalog::stratifiedTolerance(entry, a, side);
     if (points.u.empty()) {
-        result.maxMoment = 1.0; // nothing is where it should be
+        result.maxMoment = 2.0; // the largest a moment can be
         return result;
     }
     const statistics::StratifiedMoments moments = statistics::stratifiedMoments(points.u, points.v);

@@ -21,7 +21,8 @@ struct StratifiedResult {
     std::size_t momentIndex = 0; ///< of the largest, in the order of StratifiedMoments
     std::vector<double> moments; ///< all 90, signed
 
-    [[nodiscard]] bool exceeds() const { return maxMoment > threshold; }
+    /// Also true when no output at all is in the domain.
+    [[nodiscard]] bool exceeds() const { return invalid == total || maxMoment > threshold; }
 };
 
 /// Judges the outputs of stratifiedInputs(side, ...), in any order. Far more sensitive than

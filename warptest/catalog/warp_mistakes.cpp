@@ -100,11 +100,6 @@ constexpr auto
                      [](const Square &s, double) {
                          return polar(0.5 * std::sqrt(s.u), s.v, 0.0);
                      }},
-                    {"disk", "degrees",
-                     "The angle is computed in degrees, but sine and cosine take radians.",
-                     [](const Square &s, double) {
-                         return polar(std::sqrt(s.u), 360.0 * s.v / (2.0 * kPi), 0.0);
-                     }},
                     // Sphere
                     {"sphere", "uniform_theta",
                      "The polar angle is spread evenly (theta = pi u), so directions crowd at the "
