@@ -60,7 +60,7 @@ constexpr auto kAlphaPowers = std::to_array<NamedPower>({
     {"1/alpha^4", -4.0},
 });
 
-bool near(double value, double target, double tolerance) {
+bool isNear(double value, double target, double tolerance) {
     return std::fabs(value - target) <= tolerance * std::fabs(target);
 }
 
@@ -78,19 +78,19 @@ std::string constantName(double constant, double a, double tolerance) {
         kConstants.begin(), kConstants.end(), [constant](const auto &x, const auto &y) {
             return std::fabs(constant / x.value - 1.0) < std::fabs(constant / y.value - 1.0);
         });
-    if (near(constant, nearest->value, tolerance)) {
+    if (isNear(constant, nearest->value, tolerance)) {
         return std::string(nearest->name);
     }
     if (a <= 0.0) {
         return {};
     }
     for (const NamedPower &power : kAlphaPowers) {
-        const double value = std::pow(a, power.exponent);
-        if (near(constant, value, tolerance)) {
+        const double alphaPower = std::pow(a, power.exponent);
+        if (isNear(constant, alphaPower, tolerance)) {
             return std::string(power.name);
         }
         for (const NamedConstant &factor : kConstants) {
-            if (near(constant, value * factor.value, tolerance)) {
+            if (isNear(constant, alphaPower * factor.value, tolerance)) {
                 return std::string(factor.name) + " * " + std::string(power.name);
             }
         }
@@ -112,7 +112,7 @@ RatioLaw explainRatio(std::span<const RatioSample> samples, double a, double tol
         }
         const double constant = median(constants);
         const auto explained = std::count_if(constants.begin(), constants.end(), [=](double c) {
-            return near(c, constant, tolerance);
+            return isNear(c, constant, tolerance);
         });
         if (static_cast<double>(explained) >= 0.99 * static_cast<double>(constants.size())) {
             best.found = true;
