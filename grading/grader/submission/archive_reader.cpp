@@ -75,6 +75,12 @@ const char *errorText(archive *handle) {
     return text != nullptr ? text : "unknown error";
 }
 
+GraderError noArchive(const std::string &label, const std::string &why) {
+    return GraderError(fmt::format("{}: not an archive that can be read ({}); expected a zip (tar, "
+                                   "7z and rar are read too): is the upload complete?",
+                                   label, why));
+}
+
 /// One pass over an archive.
 class Reading {
 public:
@@ -242,10 +248,7 @@ void Reading::throwIfNothingWasRead() const {
             fmt::format("{}: the archive is encrypted; ask for one without a password", m_label));
     }
     if (!m_damage.empty()) {
-        throw GraderError(
-            fmt::format("{}: not an archive that can be read ({}); expected a zip (tar, 7z and rar "
-                        "are read too): is the upload complete?",
-                        m_label, m_damage));
+        throw noArchive(m_label, m_damage);
     }
 }
 
@@ -272,8 +275,7 @@ RawFiles readArchiveFile(const std::filesystem::path &path, ReadBudget &budget) 
             fmt::format("{}: the file is empty (0 bytes); ask for a new upload", path.string()));
     }
     if (archive_read_open_filename(handle.get(), path.c_str(), kBlockBytes) != ARCHIVE_OK) {
-        throw GraderError(
-            fmt::format("{}: cannot be opened: {}", path.string(), errorText(handle.get())));
+        throw noArchive(path.string(), errorText(handle.get()));
     }
     return Reading(handle.get(), label, size, budget).run();
 }
@@ -285,7 +287,7 @@ RawFiles readArchiveBytes(std::string_view bytes, const std::string &label, Read
         throw GraderError(fmt::format("{}: the file is empty (0 bytes)", label));
     }
     if (archive_read_open_memory(handle.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) {
-        throw GraderError(fmt::format("{}: cannot be opened: {}", label, errorText(handle.get())));
+        throw noArchive(label, errorText(handle.get()));
     }
     return Reading(handle.get(), label, bytes.size(), budget).run();
 }
