@@ -22,8 +22,8 @@ struct SampleDensity {
     std::string_view name;
     float (*density)(const Output &p, float a);
     /// What the catalogue should say of a wrong one; empty: nothing.
-    std::string_view mistakeId = "";
-    std::string_view constantName = "";
+    std::string_view mistakeId{};
+    std::string_view constantName{};
     int cosinePower = 0;
 };
 

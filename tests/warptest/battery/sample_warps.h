@@ -23,7 +23,7 @@ struct SampleWarp {
     std::string_view name;
     Output (*warp)(const Input &s, float a);
     /// The mistake that the catalogue should name for a wrong one; empty: none (too subtle).
-    std::string_view mistakeId = "";
+    std::string_view mistakeId{};
 };
 
 inline Output polar(float r, float angle, float z) {

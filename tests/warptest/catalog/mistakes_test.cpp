@@ -40,7 +40,7 @@ TEST(WarpMistakes, AreWrong) {
     for (const auto &mistake : catalog::warpMistakes()) {
         const auto &entry = catalog::requireWarp(mistake.warpId);
         statistics::Random random(1);
-        std::vector<double> counts(kSide * kSide);
+        std::vector<double> counts(std::size_t{kSide} * kSide);
         for (int i = 0; i < static_cast<int>(kCount); ++i) {
             catalog::Square s;
             s.u = random.nextDouble();
@@ -50,7 +50,8 @@ TEST(WarpMistakes, AreWrong) {
                 const catalog::Square r = entry.rosenblatt(p, kAlpha);
                 const int row = std::clamp(static_cast<int>(r.u * kSide), 0, kSide - 1);
                 const int column = std::clamp(static_cast<int>(r.v * kSide), 0, kSide - 1);
-                counts[static_cast<std::size_t>(row * kSide + column)] += 1.0;
+                counts[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] +=
+                    1.0;
             }
         }
         EXPECT_LT(statistics::chiSquareEqualCells(counts, kCount).pValue, 1e-4) << name(mistake);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -14,6 +15,7 @@ using namespace statistics; // NOLINT(google-build-using-namespace): the namespa
 namespace {
 
 constexpr int kSize = 32;
+constexpr std::size_t kPixels = 1024;
 
 using Gain = std::function<double(int x, int y)>;
 
@@ -93,19 +95,19 @@ TEST(TileWelch, FindsErrorsThatCancelInTheMean) {
 }
 
 TEST(TileWelch, ComparesExactlyWhereNothingVaries) {
-    const std::vector<MomentSummary> black(kSize * kSize, {16.0, 0.0, 0.0, 0.0});
-    const std::vector<MomentSummary> lit(kSize * kSize, {16.0, 1.0, 0.0, 0.0});
-    std::vector<MomentSummary> rounded(kSize * kSize, {16.0, 1.0 + 1e-6, 0.0, 0.0});
+    const std::vector<MomentSummary> black(kPixels, {16.0, 0.0, 0.0, 0.0});
+    const std::vector<MomentSummary> lit(kPixels, {16.0, 1.0, 0.0, 0.0});
+    std::vector<MomentSummary> rounded(kPixels, {16.0, 1.0 + 1e-6, 0.0, 0.0});
     EXPECT_EQ(tileWelchTest(image(black), image(black)).pValue, 1.0);
     EXPECT_EQ(tileWelchTest(image(black), image(lit)).pValue, 0.0);
     EXPECT_EQ(tileWelchTest(image(rounded), image(lit)).pValue, 1.0);
 }
 
 TEST(TileWelch, RefusesImagesThatDoNotMatch) {
-    const std::vector<MomentSummary> pixels(kSize * kSize, {16.0, 1.0, 0.0, 0.0});
+    const std::vector<MomentSummary> pixels(kPixels, {16.0, 1.0, 0.0, 0.0});
     EXPECT_THROW(tileWelchTest(image(pixels), {8, 8, pixels}), std::invalid_argument);
     EXPECT_THROW(tileWelchTest({0, 0, {}}, {0, 0, {}}), std::invalid_argument);
-    const std::vector<MomentSummary> single(kSize * kSize, {1.0, 1.0, 0.0, 0.0});
+    const std::vector<MomentSummary> single(kPixels, {1.0, 1.0, 0.0, 0.0});
     EXPECT_THROW(tileWelchTest(image(single), image(single)), std::invalid_argument);
 }
 
@@ -117,6 +119,6 @@ TEST(EstimateScale, RecoversAFactorWithoutTheReferencesBias) {
     EXPECT_NEAR(estimate.beta, 0.05, 4.0 * estimate.standardError);
     EXPECT_LT(estimate.standardError, 0.01);
     EXPECT_GT(estimate.bound, estimate.beta);
-    const std::vector<MomentSummary> black(kSize * kSize, {16.0, 0.0, 0.0, 0.0});
+    const std::vector<MomentSummary> black(kPixels, {16.0, 0.0, 0.0, 0.0});
     EXPECT_THROW(estimateScale(image(student), image(black), image(black)), std::invalid_argument);
 }
