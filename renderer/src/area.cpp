@@ -47,11 +47,11 @@ public:
         // graded: end
     }
 
-    /// That of the points on the back, which sample() draws too, is not 0.
     float pdf(const EmitterQueryRecord &lRec) const override {
         if (m_mesh == nullptr)
             throw NoriException("There is no shape attached to this Area light!");
         // graded: begin AreaEmitter::pdf() is not yet implemented!
+        // the back counts as well: sample() draws its points too
         const float cosTheta = std::abs(lRec.n.dot(lRec.wi));
         if (cosTheta == 0.0f) // edge-on: the surface fills no solid angle
             return 0.0f;
