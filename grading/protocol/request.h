@@ -67,6 +67,10 @@ struct Request {
     std::size_t resultSize() const;
 };
 
+/// 2 for planar warps, 3 for directions.
+/// \throws std::invalid_argument  if `id` is none of the catalogue's
+std::uint32_t warpDimension(const std::string &id);
+
 /// A file that the probe writes below its private temporary folder before it answers; scene files
 /// are named by `Request::text` relative to it.
 struct File {
