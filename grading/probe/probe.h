@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nori/scene.h>
+#include <protocol/request.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What runs with a submission's code: answers requests with raw numbers and judges nothing. Only
+/// Nori 2's own interface is used, since a submission's headers may stand in for ours.
+namespace probe {
+
+/// Scenes of the request group, loaded when first asked for.
+class SceneStore {
+public:
+    /// Writes the group's files below a private temporary folder.
+    /// \throws std::runtime_error  if a name leads out of it, or it cannot be written
+    explicit SceneStore(const std::vector<protocol::File> &files);
+
+    /// \throws whatever loading throws; std::runtime_error if the file holds no scene
+    nori::Scene &get(const std::string &name);
+
+private:
+    std::map<std::string, nori::Scene *> m_scenes; // never destroyed: the process just ends
+};
+
+using Values = std::vector<float>;
+
+// Answers, Request::resultSize() floats. \throws std::exception and whatever the submission throws
+Values answerWarp(const protocol::Request &request);
+Values answerMesh(const protocol::Request &request, const nori::Scene &scene);
+Values answerEmitter(const protocol::Request &request, const nori::Scene &scene);
+Values answerRadiance(const protocol::Request &request, nori::Scene &scene);
+Values answerFacts(const nori::Scene &scene);
+
+// Reading and writing rows of floats.
+template <typename V>
+V readVector(const float *&at) {
+    V v;
+    for (int i = 0; i < static_cast<int>(v.size()); ++i)
+        v[i] = *at++;
+    return v;
+}
+
+template <typename V>
+void append(Values &values, const V &v) {
+    for (int i = 0; i < static_cast<int>(v.size()); ++i)
+        values.push_back(v[i]);
+}
+
+} // namespace probe

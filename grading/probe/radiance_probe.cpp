@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <nori/integrator.h>
+#include <nori/ray.h>
+#include <nori/sampler.h>
+#include <probe/probe.h>
+
+#include <pcg32.h>
+
+#include <stdexcept>
+
+namespace probe {
+
+namespace {
+
+std::uint64_t mix(std::uint64_t z) {
+    // SplitMix64's finaliser: Steele, Lea, Flood 2014.
+    z += 0x9e3779b97f4a7c15ull;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+}
+
+/// Independent numbers for every ray. Stock Nori seeds by block position, so that all renders of a
+/// scene share their noise.
+class RaySampler : public nori::Sampler {
+public:
+    RaySampler() { m_sampleCount = 1; }
+
+    void startRay(std::uint64_t seed, std::uint64_t ray) {
+        m_random.seed(mix(seed ^ mix(ray)), mix(ray ^ mix(seed)));
+    }
+
+    std::unique_ptr<nori::Sampler> clone() const override {
+        return std::unique_ptr<nori::Sampler>(new RaySampler(*this));
+    }
+
+    void prepare(const nori::ImageBlock &) override {}
+
+    void generate() override {}
+
+    void advance() override {}
+
+    float next1D() override { return m_random.nextFloat(); }
+
+    nori::Point2f next2D() override {
+        // As constructor arguments, the compiler would choose the order.
+        const float x = m_random.nextFloat();
+        const float y = m_random.nextFloat();
+        return nori::Point2f(x, y);
+    }
+
+    std::string toString() const override { return "RaySampler[]"; }
+
+private:
+    pcg32 m_random;
+};
+
+} // namespace
+
+Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
+    const nori::Integrator *integrator = scene.getIntegrator();
+    if (integrator == nullptr)
+        throw std::runtime_error("the scene has no integrator");
+    RaySampler sampler;
+    Values values;
+    values.reserve(request.resultSize());
+    const float *at = request.values.data();
+    const float *end = at + request.values.size();
+    for (std::uint64_t index = 0; at < end; ++index) {
+        const nori::Point3f origin = readVector<nori::Point3f>(at);
+        const nori::Vector3f direction = readVector<nori::Vector3f>(at);
+        const nori::Ray3f ray(origin, direction);
+        sampler.startRay(request.seed, index);
+        for (std::uint32_t i = 0; i < request.repeats; ++i)
+            append(values, integrator->Li(&scene, &sampler, ray));
+    }
+    return values;
+}
+
+} // namespace probe

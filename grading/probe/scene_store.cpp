@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <nori/emitter.h>
+#include <nori/integrator.h>
+#include <nori/parser.h>
+#include <probe/probe.h>
+
+#include <filesystem/resolver.h>
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+
+namespace probe {
+
+namespace {
+
+constexpr char kRoot[] = "/tmp/scene";
+
+/// Makes every folder above the last component.
+void makeFolders(const std::string &file) {
+    for (std::size_t slash = file.find('/', 1); slash != std::string::npos;
+         slash = file.find('/', slash + 1)) {
+        if (mkdir(file.substr(0, slash).c_str(), 0700) != 0 && errno != EEXIST)
+            throw std::runtime_error("cannot make a folder for " + file);
+    }
+}
+
+} // namespace
+
+SceneStore::SceneStore(const std::vector<protocol::File> &files) {
+    for (const protocol::File &file : files) {
+        if (file.name.empty() || file.name[0] == '/' || file.name.find("..") != std::string::npos)
+            throw std::runtime_error("a file must not be called \"" + file.name + "\"");
+        const std::string path = std::string(kRoot) + "/" + file.name;
+        makeFolders(path);
+        std::ofstream stream(path, std::ios::binary);
+        stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+        stream.close();
+        if (!stream)
+            throw std::runtime_error("cannot write " + path);
+    }
+    nori::getFileResolver()->prepend(filesystem::path(kRoot));
+}
+
+nori::Scene &SceneStore::get(const std::string &name) {
+    nori::Scene *&scene = m_scenes[name];
+    if (scene == nullptr) {
+        nori::NoriObject *root = nori::loadFromXML(std::string(kRoot) + "/" + name);
+        scene = dynamic_cast<nori::Scene *>(root);
+        if (scene == nullptr)
+            throw std::runtime_error(name + " holds no scene");
+        if (scene->getIntegrator() != nullptr)
+            scene->getIntegrator()->preprocess(scene);
+    }
+    return *scene;
+}
+
+Values answerFacts(const nori::Scene &scene) {
+    const std::vector<nori::Emitter *> &lights = scene.getLights();
+    const bool delta = !lights.empty() && lights.front()->isDelta();
+    return {static_cast<float>(lights.size()), static_cast<float>(scene.getMeshes().size()),
+            delta ? 1.0f : 0.0f, scene.getEnvironmentalEmitter() != nullptr ? 1.0f : 0.0f,
+            scene.getIntegrator() != nullptr ? 1.0f : 0.0f};
+}
+
+} // namespace probe
