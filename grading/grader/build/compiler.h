@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/build/cache.h>
+#include <grader/build/diagnostics.h>
+#include <grader/build/header_set.h>
+#include <grader/sandbox/box.h>
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace grader {
+
+/// A source file to compile.
+struct UnitSource {
+    std::string name;      ///< `warp.cpp`
+    std::string shownName; ///< in messages: the hand-in's own path
+    std::string text;
+};
+
+/// A built file in the cache, or why there is none.
+using Built = std::variant<std::filesystem::path, BuildFailure>;
+
+/// g++ in the box. What was compiled before, by anyone, comes from the cache. Thread-safe.
+class Compiler {
+public:
+    /// \throws GraderError  if the machine has no g++
+    Compiler(const Sandbox &sandbox, const Cache &cache);
+
+    /// \param names  of the headers in messages: staged path to the hand-in's own
+    Built compile(const UnitSource &source, const HeaderSet &headers,
+                  const std::map<std::string, std::string> &names = {});
+
+    /// Links an executable. \param extras  objects that are taken only where something needs them
+    Built link(const std::vector<std::filesystem::path> &objects,
+               const std::vector<std::filesystem::path> &extras);
+
+    /// Wall seconds spent in the box so far.
+    double compileSeconds() const { return m_compileSeconds; }
+
+    double linkSeconds() const { return m_linkSeconds; }
+
+private:
+    std::filesystem::path precompiledHeader();
+    Built produce(const std::string &kind, const std::string &key, const std::string &unit,
+                  BoxSpec spec, const std::map<std::string, std::string> &names);
+
+    const Sandbox &m_sandbox;
+    const Cache &m_cache;
+    std::string m_toolchain; ///< digest of the compiler's identity
+    std::atomic<double> m_compileSeconds{0};
+    std::atomic<double> m_linkSeconds{0};
+};
+
+} // namespace grader

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "starter.h"
+
+#include <grader/build/base.h>
+#include <grader/build/text_file.h>
+#include <grader/error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace grader {
+
+namespace {
+
+constexpr std::string_view kMarker = "// graded: ";
+constexpr std::string_view kKept = "//# ";
+
+enum class Region { Outside, Graded, Replacement };
+
+[[noreturn]] void misplaced(const std::string &file, int line, std::string_view marker) {
+    throw GraderError(fmt::format("{}:{}: misplaced marker \"{}\"", file, line, marker));
+}
+
+} // namespace
+
+std::optional<std::string> starterText(std::string_view text, const std::string &file) {
+    std::string result;
+    Region region = Region::Outside;
+    int number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+        const std::string_view line = text.substr(0, end + 1);
+        text.remove_prefix(end + 1);
+        ++number;
+
+        const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+        std::string_view body = line.substr(indent);
+        while (!body.empty() && (body.back() == '\n' || body.back() == '\r'))
+            body.remove_suffix(1);
+        if (body.substr(0, kMarker.size()) == kMarker) {
+            const std::string_view marker = body.substr(kMarker.size());
+            if (marker == "file" && region == Region::Outside)
+                return std::nullopt;
+            if (marker.substr(0, 5) == "begin" && region == Region::Outside) {
+                region = Region::Graded;
+                if (marker.size() > 6)
+                    result += fmt::format("{}throw NoriException(\"{}\");\n",
+                                          line.substr(0, indent), marker.substr(6));
+            } else if (marker == "else" && region == Region::Graded) {
+                region = Region::Replacement;
+            } else if (marker == "end" && region != Region::Outside) {
+                region = Region::Outside;
+            } else {
+                misplaced(file, number, body);
+            }
+        } else if (region == Region::Outside) {
+            result += line;
+        } else if (region == Region::Replacement) {
+            if (body.substr(0, kKept.size()) != kKept)
+                misplaced(file, number, body);
+            result += fmt::format("{}{}\n", line.substr(0, indent), body.substr(kKept.size()));
+        }
+    }
+    if (region != Region::Outside)
+        throw GraderError(fmt::format("{}: a graded region has no end", file));
+    return result;
+}
+
+void writeStarter(const std::filesystem::path &folder) {
+    namespace fs = std::filesystem;
+    if (fs::exists(folder) && !fs::is_empty(folder))
+        throw GraderError(fmt::format("{}: is not empty; name a folder that does not exist yet",
+                                      folder.string()));
+    const Base &base = starterBase();
+    for (const auto &[name, text] : base.headers) {
+        const bool isNori = name.rfind("nori/", 0) == 0;
+        const bool isOurs = name.rfind("probe/", 0) == 0 || name.rfind("protocol/", 0) == 0;
+        if (!isOurs)
+            writeTextFile(folder / (isNori ? "include" : "compat") / name, text);
+    }
+    std::string sources;
+    for (const auto &[name, text] : base.units) {
+        writeTextFile(folder / "src" / name, text);
+        sources += fmt::format("    src/{}\n", name);
+    }
+    writeTextFile(folder / "sources.cmake",
+                  fmt::format("# Add the files that you write, such as src/direct_ems.cpp.\n"
+                              "set(NORI_SOURCES\n{})\n",
+                              sources));
+    for (const char *part :
+         {"renderer/starter", "renderer/app", "scenes/assignment-2", "scenes/meshes"}) {
+        const fs::path from = projectFolder() / part;
+        for (const auto &entry : fs::recursive_directory_iterator(from)) {
+            if (!entry.is_regular_file() || entry.path().filename() == "CMakeLists.app.txt")
+                continue;
+            const fs::path name = entry.path().lexically_relative(from);
+            const std::string_view target = part;
+            const fs::path below = target == "renderer/starter" ? ""
+                                   : target == "renderer/app"   ? "app"
+                                                                : part;
+            writeTextFile(folder / below / name, readTextFile(entry.path()));
+        }
+    }
+}
+
+} // namespace grader

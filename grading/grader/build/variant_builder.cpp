@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "variant_builder.h"
+
+#include <grader/error.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+namespace grader {
+
+namespace {
+
+/// A file name that is safe on a command line and in a path.
+std::string safeName(const std::string &name, std::size_t number) {
+    std::string safe = fmt::format("extra{}_{}", number, name);
+    std::replace_if(
+        safe.begin(), safe.end(),
+        [](unsigned char c) { return !(std::isalnum(c) != 0 || c == '.' || c == '_') || c > 127; },
+        '_');
+    const std::string suffix = ".cpp";
+    if (safe.size() < suffix.size() || safe.substr(safe.size() - suffix.size()) != suffix)
+        safe += suffix;
+    return safe;
+}
+
+Files submittedHeaders(const Submission &submission) {
+    Files headers;
+    for (const SubmittedFile &file : submission.files) {
+        if (file.role == FileRole::Header)
+            headers[file.name] = file.bytes;
+    }
+    return headers;
+}
+
+} // namespace
+
+void parallelFor(std::size_t count, int jobs, const std::function<void(std::size_t)> &task) {
+    std::atomic<std::size_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            try {
+                task(i);
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(mutex);
+                failure = failure != nullptr ? failure : std::current_exception();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    const std::size_t wanted = std::min<std::size_t>(count, std::max(jobs, 1));
+    for (std::size_t i = 1; i < wanted; ++i)
+        threads.emplace_back(work);
+    work();
+    for (std::thread &thread : threads)
+        thread.join();
+    if (failure != nullptr)
+        std::rethrow_exception(failure);
+}
+
+VariantBuilder::VariantBuilder(Compiler &compiler, const Submission &submission, int jobs)
+    : m_compiler(compiler),
+      m_jobs(jobs),
+      m_headers(overlayHeaders(starterBase().headers, submittedHeaders(submission))) {
+    for (const SubmittedFile &file : submission.files) {
+        if (file.role == FileRole::Header)
+            m_headerNames["include/nori/" + file.name] = file.path;
+        else if (file.role == FileRole::Source)
+            m_sources[file.name] = {file.name, file.path, file.bytes};
+        else if (file.role == FileRole::Extra)
+            m_extras.push_back({safeName(file.name, m_extras.size()), file.path, file.bytes});
+        else
+            continue;
+        for (const std::string &spelling : addForwards(file.bytes, m_headers))
+            m_notes.push_back({Note::Level::Odd, file.path,
+                               fmt::format("includes \"{}\", which Linux does not find; \"{}\" was "
+                                           "taken",
+                                           spelling, m_headers.forwards.at(spelling))});
+    }
+}
+
+bool VariantBuilder::hasUnit(const std::string &unit) const {
+    return m_sources.count(unit) != 0;
+}
+
+const UnitSource *VariantBuilder::studentSource(const std::string &unit) const {
+    const auto found = m_sources.find(unit);
+    return found != m_sources.end() ? &found->second : nullptr;
+}
+
+std::optional<BuildFailure> VariantBuilder::failureOf(const std::string &unit) {
+    const UnitSource *source = studentSource(unit);
+    if (source == nullptr)
+        return std::nullopt;
+    Built built = m_compiler.compile(*source, m_headers, m_headerNames);
+    if (auto *failure = std::get_if<BuildFailure>(&built))
+        return std::move(*failure);
+    return std::nullopt;
+}
+
+VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Origin origin) {
+    const auto text = [&](const Files &files) -> const std::string * {
+        const auto found = files.find(unit);
+        return found != files.end() ? &found->second : nullptr;
+    };
+    if (origin == Origin::Student) {
+        if (const UnitSource *source = studentSource(unit))
+            return {unit, m_compiler.compile(*source, m_headers, m_headerNames)};
+        origin = Origin::Starter;
+    }
+    const std::string *source =
+        text(origin == Origin::Starter ? starterBase().units : referenceBase().units);
+    if (source == nullptr)
+        source = text(probeUnits());
+    if (source == nullptr)
+        return {unit, std::filesystem::path()}; // the starter has no such file
+    const std::string define =
+        origin == Origin::ReferenceValue ? "#define NORI_SAMPLE_RETURNS_VALUE 1\n#line 1\n" : "";
+    std::string flat = unit;
+    std::replace(flat.begin(), flat.end(), '/', '_');
+    return {unit, m_compiler.compile({flat, "the base's " + unit, define + *source}, m_headers,
+                                     m_headerNames)};
+}
+
+std::vector<VariantBuilder::Object>
+VariantBuilder::compileUnits(const std::vector<std::pair<std::string, Origin>> &units) {
+    std::vector<Object> objects(units.size());
+    parallelFor(units.size(), m_jobs,
+                [&](std::size_t i) { objects[i] = compileUnit(units[i].first, units[i].second); });
+    return objects;
+}
+
+std::vector<std::filesystem::path> VariantBuilder::extraObjects() {
+    std::vector<std::filesystem::path> objects;
+    for (const UnitSource &extra : m_extras) {
+        const Built built = m_compiler.compile(extra, m_headers, m_headerNames);
+        if (const auto *object = std::get_if<std::filesystem::path>(&built))
+            objects.push_back(*object);
+    }
+    return objects;
+}
+
+void VariantBuilder::compileAll(const std::function<void(double fraction)> &progress) {
+    std::vector<std::pair<std::string, Origin>> units;
+    for (const auto &[unit, source] : m_sources)
+        units.emplace_back(unit, Origin::Student);
+    for (const auto &[unit, text] : starterBase().units)
+        units.emplace_back(unit, Origin::Starter);
+    for (const auto &[unit, text] : probeUnits())
+        units.emplace_back(unit, Origin::Starter);
+    std::atomic<std::size_t> done{0};
+    parallelFor(units.size(), m_jobs, [&](std::size_t i) {
+        compileUnit(units[i].first, units[i].second);
+        progress(static_cast<double>(++done) / static_cast<double>(units.size()));
+    });
+    for (const UnitSource &extra : m_extras) {
+        const Built built = m_compiler.compile(extra, m_headers, m_headerNames);
+        if (const auto *failure = std::get_if<BuildFailure>(&built))
+            m_notes.push_back(
+                {Note::Level::Odd, extra.shownName,
+                 "an additional file that does not compile; nothing needs it unless a "
+                 "link error says so: " +
+                     failure->describe()});
+    }
+}
+
+Variant VariantBuilder::build(const VariantPlan &plan) {
+    std::vector<std::pair<std::string, Origin>> units;
+    for (const auto &[unit, text] : probeUnits())
+        units.emplace_back(unit, Origin::Starter);
+    for (const auto &[unit, text] : starterBase().units) {
+        if (plan.origins.count(unit) == 0)
+            units.emplace_back(unit, Origin::Starter);
+    }
+    for (const auto &[unit, origin] : plan.origins)
+        units.emplace_back(unit, origin);
+
+    Variant variant;
+    variant.name = plan.name;
+    std::vector<std::filesystem::path> objects;
+    bool linkable = true;
+    for (Object &object : compileUnits(units)) {
+        auto *failure = std::get_if<BuildFailure>(&object.built);
+        if (failure != nullptr) {
+            variant.failures.push_back(*failure);
+            // A student's file that does not compile costs only what it holds: the starter's
+            // stands in, where there is one. A plugin of the base that a changed header breaks
+            // (a new pure virtual) is left out; scenes that need it will say so.
+            const bool isStudents = hasUnit(object.unit) && plan.origins.count(object.unit) != 0;
+            if (isStudents)
+                object = compileUnit(object.unit, Origin::Starter);
+            if (std::holds_alternative<BuildFailure>(object.built)) {
+                linkable = linkable && isPlugin(object.unit);
+                continue;
+            }
+        }
+        const auto &file = std::get<std::filesystem::path>(object.built);
+        if (!file.empty())
+            objects.push_back(file);
+    }
+    if (!linkable)
+        return variant;
+    Built built = m_compiler.link(objects, extraObjects());
+    if (auto *failure = std::get_if<BuildFailure>(&built))
+        variant.failures.push_back(std::move(*failure));
+    else
+        variant.executable = std::get<std::filesystem::path>(built);
+    return variant;
+}
+
+std::vector<Note> VariantBuilder::notes() const {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_notes;
+}
+
+} // namespace grader

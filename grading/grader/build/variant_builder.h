@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/build/compiler.h>
+#include <grader/submission/submission.h>
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+/// Whose file stands for a unit in a variant.
+enum class Origin {
+    Starter,        ///< the student edition's: graded bodies throw
+    Student,        ///< the hand-in's, or the starter's where it has none or it does not compile
+    Reference,      ///< ours; Emitter::sample returns value / pdf, as the header asks
+    ReferenceValue, ///< ours; Emitter::sample returns the bare value, as many hand-ins do
+};
+
+/// Which units of a variant are not the starter's.
+struct VariantPlan {
+    std::string name; ///< for reports: `student`, `reference warp and mesh`
+    std::map<std::string, Origin> origins;
+};
+
+/// A probe that was built from parts.
+struct Variant {
+    std::string name;
+    std::optional<std::filesystem::path> executable;
+    std::vector<BuildFailure> failures; ///< of any file that the plan asked for, and of the link
+};
+
+/// Builds probes from one hand-in. Thread-safe.
+class VariantBuilder {
+public:
+    VariantBuilder(Compiler &compiler, const Submission &submission, int jobs);
+
+    Variant build(const VariantPlan &plan);
+
+    /// Why the student's file of this name does not compile; nothing if it does or was not sent.
+    std::optional<BuildFailure> failureOf(const std::string &unit);
+
+    /// True if the hand-in has a file of this name.
+    bool hasUnit(const std::string &unit) const;
+
+    /// Compiles every file of the hand-in, on all jobs, so that the rest only links.
+    void compileAll(const std::function<void(double fraction)> &progress);
+
+    /// What was built around: forwarded includes, base files left out, extra files.
+    std::vector<Note> notes() const;
+
+private:
+    struct Object {
+        std::string unit;
+        Built built;
+    };
+
+    Object compileUnit(const std::string &unit, Origin origin);
+    std::vector<Object> compileUnits(const std::vector<std::pair<std::string, Origin>> &units);
+    std::vector<std::filesystem::path> extraObjects();
+    const UnitSource *studentSource(const std::string &unit) const;
+
+    Compiler &m_compiler;
+    int m_jobs;
+    HeaderSet m_headers;                              ///< the base's with the hand-in's laid over
+    std::map<std::string, std::string> m_headerNames; ///< staged path to the hand-in's
+    std::map<std::string, UnitSource> m_sources;      ///< of the hand-in, by base name
+    std::vector<UnitSource> m_extras;
+    std::vector<Note> m_notes;
+    mutable std::mutex m_mutex; ///< of m_notes
+};
+
+/// Runs `task(i)` for i in [0, count) on `jobs` threads; an exception of one is thrown after all
+/// have ended.
+void parallelFor(std::size_t count, int jobs, const std::function<void(std::size_t)> &task);
+
+} // namespace grader
