@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include <grader/checks/answer.h>
+#include <grader/checks/emitter_samples.h>
+#include <grader/checks/mesh_samples.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check_groups.h"
+
+namespace grader {
+
+namespace {
+
+constexpr int kSamples = 4096;
+constexpr double kTolerance = 1e-3;
+
+/// One light, alone in a scene, and points in front of and behind it.
+struct LightScene {
+    TestMesh mesh;
+    Vector3d radiance;
+    TestScene scene;
+    std::vector<Vector3d> front;
+    std::vector<Vector3d> behind;
+};
+
+enum class Light { Plain, VertexNormals, Scaled, Textured, Curved, WithoutUv };
+
+/// Half the cells of the texture are bright; cells are squares of 1/4 in uv.
+constexpr char kTexture[] = R"(<texture type="checker" name="radiance">
+      <integer name="scalex" value="4"/><integer name="scaley" value="4"/></texture>)";
+
+LightScene makeLight(Light kind, std::uint64_t seed) {
+    SceneRandom random(seed);
+    LightScene light;
+    const Eigen::Isometry3d pose = random.rigid(2);
+    light.radiance = random.color(1, 8).cast<float>().cast<double>();
+    TestMesh local = kind == Light::Curved
+                         ? sphere({0, 0, 0}, 0.45, 6)
+                         : parallelogram({-0.4, -0.3, 0}, {random.uniform(0.6, 0.9), 0.1, 0},
+                                         {-0.15, random.uniform(0.4, 0.6), 0});
+    if (kind == Light::WithoutUv)
+        local.uvs.clear();
+    if (kind == Light::VertexNormals) {
+        // As in the course's table scene: the vertex normals oppose the winding, and they count.
+        for (auto &face : local.faces)
+            std::swap(face[1], face[2]);
+        local.normals.assign(local.positions.size(), Vector3d::UnitZ());
+    }
+    light.mesh = local.transformed(pose);
+    Emission emission{light.radiance, {}, {}};
+    if (kind == Light::Scaled)
+        emission.scale = 2.5;
+    if (kind == Light::Textured)
+        emission.texture = kTexture;
+    light.scene.addLight(light.mesh, {0.5, 0.4, 0.3}, emission);
+    for (int i = 0; i < kSamples; ++i) {
+        const double x = random.uniform(-1.5, 1.5);
+        const double y = random.uniform(-1.5, 1.5);
+        const double z = random.uniform(0.7, 2.2);
+        light.front.push_back((pose * Vector3d(x, y, z)).cast<float>().cast<double>());
+        light.behind.push_back((pose * Vector3d(x, y, -z)).cast<float>().cast<double>());
+    }
+    return light;
+}
+
+MeshSample placeOf(const TestMesh &mesh, const EmitterSampleRow &row) {
+    MeshSample place;
+    place.position = row.p;
+    locate(mesh, place);
+    return place;
+}
+
+template <typename Judge>
+CheckResult withSamples(CheckContext &context, Light kind, const Judge &judge) {
+    const LightScene light = makeLight(kind, context.seed("light"));
+    const EmitterAnswer answer =
+        askEmitterSamples(context, light.scene, 0, light.front, context.seed("samples"));
+    return answer.failure ? *answer.failure : judge(light, answer.rows);
+}
+
+/// eval for places on the light, made by us: seen from the front and from behind.
+CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
+    const LightScene light = makeLight(kind, context.seed("light"));
+    SceneRandom random(context.seed("places"));
+    std::vector<EmitterQuery> queries;
+    for (const Vector3d &ref : fromBehind ? light.behind : light.front) {
+        const double s = random.uniform();
+        const double t = random.uniform();
+        const TestMesh &mesh = light.mesh;
+        const Vector3d p = mesh.positions[0] + s * (mesh.positions[1] - mesh.positions[0]) +
+                           t * (mesh.positions[3] - mesh.positions[0]);
+        const Vector3d n = mesh.normals.empty() ? mesh.geometricNormal(0) : mesh.normals[0];
+        queries.push_back({ref, p, n, {s, t}});
+    }
+    const EvalAnswer answer = askEmitterEval(context, light.scene, 0, queries);
+    if (answer.failure)
+        return *answer.failure;
+    EvalAnswer expected;
+    if (kind == Light::Textured) {
+        expected = askEmitterEval(context, light.scene, 0, queries, true);
+        if (expected.failure)
+            return makeResult(Verdict::Infra,
+                              "our own program gave no answer: " + expected.failure->message);
+    } else {
+        const double scale = kind == Light::Scaled ? 2.5 : 1;
+        const Vector3d value =
+            fromBehind ? Vector3d::Zero().eval() : (scale * light.radiance).eval();
+        expected.rows.assign(queries.size(), {value, 0});
+    }
+    std::size_t wrong = 0;
+    Vector3d ratio = Vector3d::Ones();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Vector3d &got = answer.rows[i].eval;
+        const Vector3d &want = expected.rows[i].eval;
+        const bool right =
+            got.allFinite() && (got - want).norm() <= kTolerance * std::max(want.norm(), 1e-6);
+        wrong += right ? 0 : 1;
+        if (!right && want.norm() > 0)
+            ratio = got.cwiseQuotient(want);
+    }
+    std::string diagnosis =
+        fromBehind ? "The back of the light emits: compare the normal with the "
+                     "direction from the shaded point to the light."
+                   : fmt::format("It returns {:.4g} times the radiance.", ratio.mean());
+    if (kind == Light::Scaled)
+        diagnosis = "The property `scale` is ignored.";
+    if (!fromBehind && ratio.isZero())
+        diagnosis = kind == Light::VertexNormals
+                        ? "The front is black. Was the face's own normal used, although the mesh "
+                          "has vertex normals?"
+                        : "The front is black: is the test of the side the wrong way round?";
+    return judgeRows(wrong, queries.size(), "values of AreaEmitter::eval", diagnosis);
+}
+
+CheckResult judgeRecord(const LightScene &light, const std::vector<EmitterSampleRow> &rows) {
+    std::size_t offMesh = 0;
+    std::size_t wrongDirection = 0;
+    std::size_t wrongDistance = 0;
+    for (const EmitterSampleRow &row : rows) {
+        const Vector3d toLight = row.p - row.ref;
+        const double distance = toLight.norm();
+        offMesh += placeOf(light.mesh, row).distance <= kTolerance ? 0 : 1;
+        wrongDirection += (row.wi - toLight / distance).norm() <= kTolerance ? 0 : 1;
+        wrongDistance += std::abs(row.dist - distance) <= kTolerance * distance ? 0 : 1;
+    }
+    if (offMesh > 0)
+        return judgeRows(offMesh, rows.size(), "sampled points (not on the light's mesh)",
+                         "Set lRec.p to the point that Mesh::samplePosition gives.");
+    // Integrators take either; one that is set must be right.
+    const bool distanceUnset =
+        std::all_of(rows.begin(), rows.end(),
+                    [](const EmitterSampleRow &row) { return !std::isfinite(row.dist); });
+    if (wrongDirection > 0)
+        return judgeRows(wrongDirection, rows.size(), "directions wi",
+                         "lRec.wi is the unit vector from the shaded point lRec.ref to the light.");
+    CheckResult result = judgeRows(distanceUnset ? 0 : wrongDistance, rows.size(),
+                                   "points, directions and distances in the record",
+                                   "lRec.dist is the distance from lRec.ref to lRec.p.");
+    if (distanceUnset)
+        result.message += " The distance is not set.";
+    return result;
+}
+
+CheckResult judgeValue(const LightScene &, const std::vector<EmitterSampleRow> &rows) {
+    int wrong = 0;
+    const SampleConvention convention = detectConvention(rows, &wrong);
+    std::size_t dark = 0;
+    for (const EmitterSampleRow &row : rows)
+        dark += row.value.allFinite() && row.value.isZero() ? 1 : 0;
+    if (dark == rows.size())
+        return judgeRows(dark, rows.size(), "sampled values (all black)",
+                         "AreaEmitter::sample returns nothing from the light's front.");
+    CheckResult result = judgeRows(
+        convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0, rows.size(),
+        "sampled values", "AreaEmitter::sample returns neither eval nor eval / pdf.");
+    if (convention == SampleConvention::Value)
+        result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
+                          "are accepted.";
+    return result;
+}
+
+/// pdf in solid angle, turned back into area, is 1 / area for every sample (handout, equation 10).
+CheckResult judgeDensity(double (*densityOf)(const EmitterSampleRow &), const LightScene &light,
+                         const std::vector<EmitterSampleRow> &rows) {
+    std::size_t wrong = 0;
+    double sumRatio = 0;
+    double areaRatio = 0;
+    const double area = light.mesh.area();
+    for (const EmitterSampleRow &row : rows) {
+        const MeshSample place = placeOf(light.mesh, row);
+        const Vector3d toLight = row.p - row.ref;
+        const double toSquareRadians = toLight.squaredNorm() / area;
+        const auto ratioBy = [&](const Vector3d &normal) {
+            return densityOf(row) * std::abs(normal.dot(toLight.normalized())) / toSquareRadians;
+        };
+        const Vector3d normal = expectedNormal(light.mesh, place);
+        const double ratio = ratioBy(normal);
+        const double geometric = ratioBy(light.mesh.geometricNormal(place.face));
+        // The side that faces away, and grazing angles where the two normals or roundings differ,
+        // are judged by no scene.
+        const bool judged = -normal.dot(toLight.normalized()) > 0.05;
+        const double error = std::min(std::abs(ratio - 1), std::abs(geometric - 1));
+        wrong += !judged || error <= 4 * kTolerance ? 0 : 1;
+        sumRatio += judged ? ratio : 1;
+        areaRatio += densityOf(row) * area;
+    }
+    const auto count = static_cast<double>(rows.size());
+    std::string diagnosis = fmt::format("On average it is {:.4g} times the right density "
+                                        "|x - x_l|^2 / (area |n.wi|).",
+                                        sumRatio / count);
+    if (std::abs(areaRatio / count - 1) < 0.01)
+        diagnosis = "The density is left in area measure: convert it to solid angle with "
+                    "|x - x_l|^2 / |n.wi|.";
+    return judgeRows(wrong, rows.size(), "densities", diagnosis);
+}
+
+CheckResult judgeForeignRecord(CheckContext &context) {
+    const LightScene light = makeLight(Light::Plain, context.seed("light"));
+    const EmitterAnswer answer =
+        askEmitterSamples(context, light.scene, 0, light.front, context.seed("samples"));
+    if (answer.failure)
+        return *answer.failure;
+    std::vector<EmitterQuery> queries;
+    for (const EmitterSampleRow &row : answer.rows)
+        queries.push_back({row.ref, row.p, light.mesh.geometricNormal(0), row.uv});
+    const EvalAnswer evals = askEmitterEval(context, light.scene, 0, queries);
+    if (evals.failure)
+        return *evals.failure;
+    std::vector<EmitterSampleRow> rows = answer.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].pdf = evals.rows[i].pdf;
+    CheckResult result =
+        judgeDensity([](const EmitterSampleRow &row) { return row.pdf; }, light, rows);
+    if (result.verdict == Verdict::Fail)
+        result.diagnosis = "AreaEmitter::pdf is right only for records that AreaEmitter::sample "
+                           "filled in; it has to compute the density from p, n and ref.";
+    return result;
+}
+
+CheckResult judgeBehind(CheckContext &context) {
+    const LightScene light = makeLight(Light::Plain, context.seed("light"));
+    const EmitterAnswer answer =
+        askEmitterSamples(context, light.scene, 0, light.behind, context.seed("samples"));
+    if (answer.failure)
+        return *answer.failure;
+    std::size_t wrong = 0;
+    for (const EmitterSampleRow &row : answer.rows)
+        wrong += row.value.allFinite() && row.value.isZero() ? 0 : 1;
+    return judgeRows(
+        wrong, answer.rows.size(), "samples from behind the light (not black)",
+        "Points behind the light get no light from it, and no NaN or infinity either.");
+}
+
+Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
+    Check check;
+    check.id = std::string("area.") + name;
+    check.item = "area_light";
+    check.group = "area";
+    check.what = what;
+    check.tolerance = 0.001;
+    check.gross = 0.2;
+    check.run = std::move(run);
+    return check;
+}
+
+std::function<CheckResult(CheckContext &)> density(Light kind) {
+    return [kind](CheckContext &context) {
+        return withSamples(context, kind, [](const LightScene &light, const auto &rows) {
+            return judgeDensity([](const EmitterSampleRow &row) { return row.pdf; }, light, rows);
+        });
+    };
+}
+
+std::function<CheckResult(CheckContext &)> eval(Light kind, bool fromBehind = false) {
+    return [=](CheckContext &context) {
+        return judgeEval(context, kind, fromBehind);
+    };
+}
+
+CheckResult judgeRecordPdf(const LightScene &, const std::vector<EmitterSampleRow> &rows) {
+    std::size_t wrong = 0;
+    for (const EmitterSampleRow &row : rows)
+        wrong +=
+            std::abs(row.recordPdf - row.pdf) <= kTolerance * row.pdf && row.emitterSet ? 0 : 1;
+    return judgeRows(wrong, rows.size(), "records (pdf or emitter left unset)",
+                     "Set lRec.pdf and lRec.emitter in sample, for integrators that read them.");
+}
+
+} // namespace
+
+std::vector<Check> areaChecks() {
+    return {
+        row("eval", "eval is the radiance, seen from the front.", eval(Light::Plain)),
+        row("eval_behind", "eval is black, seen from behind.", eval(Light::Plain, true)),
+        row("record", "sample gives a point of the light, its direction and distance.",
+            [](CheckContext &context) { return withSamples(context, Light::Plain, judgeRecord); }),
+        row("value", "sample's value is the radiance, divided by the density or not.",
+            [](CheckContext &context) { return withSamples(context, Light::Plain, judgeValue); }),
+        row("density", "pdf is the area's density converted to solid angle.",
+            density(Light::Plain)),
+        row("vertex_normals", "A light's vertex normals decide where its front is.",
+            eval(Light::VertexNormals)),
+        row("sample_behind", "Points behind the light get no light.", judgeBehind),
+        row("foreign_record", "pdf works for records that sample did not fill in.",
+            judgeForeignRecord),
+        row("curved_density", "pdf is right on a curved light of many triangles.",
+            density(Light::Curved)),
+        row("textured", "A textured light has the radiance of its texture coordinates.",
+            eval(Light::Textured)),
+        row("without_uv", "A light without texture coordinates works.", eval(Light::WithoutUv)),
+        row("scale", "The property `scale` multiplies the radiance.", eval(Light::Scaled)),
+        row("record_fields", "sample sets the record's pdf and emitter.",
+            [](CheckContext &context) {
+                return withSamples(context, Light::Plain, judgeRecordPdf);
+            }),
+    };
+}
+
+} // namespace grader

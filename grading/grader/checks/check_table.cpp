@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "check_groups.h"
+
+namespace grader {
+
+const std::vector<Check> &checkTable() {
+    static const std::vector<Check> table = [] {
+        std::vector<Check> checks;
+        for (auto *group : {warpChecks, meshChecks, areaChecks, environmentChecks, sceneChecks,
+                            directEmsChecks, importanceChecks}) {
+            for (Check &check : group())
+                checks.push_back(std::move(check));
+        }
+        return checks;
+    }();
+    return table;
+}
+
+const Check *findCheck(std::string_view id) {
+    const std::vector<Check> &table = checkTable();
+    const auto found = std::find_if(table.begin(), table.end(),
+                                    [&](const Check &check) { return check.id == id; });
+    return found != table.end() ? &*found : nullptr;
+}
+
+} // namespace grader

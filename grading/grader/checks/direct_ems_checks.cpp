@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include <grader/checks/radiance_case.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "check_groups.h"
+
+namespace grader {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kColumns = 16;
+
+/// Generic numbers everywhere: equal lights, unit areas and distances, grey surfaces and frames
+/// along the axes hide mistakes (statistics.md §5, 18).
+struct Room {
+    explicit Room(std::uint64_t seed)
+        : random(seed),
+          pose(random.rigid(1.5)),
+          albedo(random.color(0.3, 0.8)),
+          floor(parallelogram({-1.1, -0.9, 0}, {2.1, 0, 0}, {0, 1.9, 0}).transformed(pose)) {
+        scene.addMesh(floor, albedo);
+    }
+
+    /// A parallelogram light above the floor that shines down on it.
+    TestMesh lightMesh(const Vector3d &center, double width, double depth) const {
+        const Vector3d a(width, 0.2 * width, 0.1 * width);
+        const Vector3d b(-0.1 * depth, -depth, 0.15 * depth);
+        return parallelogram(center - 0.5 * a - 0.5 * b, a, b).transformed(pose);
+    }
+
+    Vector3d world(const Vector3d &local) const {
+        return (pose * local).cast<float>().cast<double>();
+    }
+
+    SceneRandom random;
+    Eigen::Isometry3d pose;
+    Vector3d albedo;
+    TestMesh floor;
+    TestScene scene;
+};
+
+Vector3d reflectedFromPoint(const Room &room, const Vector3d &point, const Vector3d &light,
+                            const Vector3d &intensity) {
+    const Vector3d toLight = light - point;
+    const double cosTheta = room.floor.geometricNormal(0).dot(toLight.normalized());
+    return room.albedo.cwiseProduct(intensity) *
+           (std::max(0.0, cosTheta) / kPi / toLight.squaredNorm());
+}
+
+Vector3d reflectedFromPolygon(const Room &room, const Vector3d &point, const TestMesh &light,
+                              const Vector3d &radiance) {
+    const double irradiance =
+        polygonIrradiance(point, room.floor.geometricNormal(0), light.positions);
+    return room.albedo.cwiseProduct(radiance) * (irradiance / kPi);
+}
+
+RadianceCase onFloor(Room &room) {
+    RadianceCase test;
+    test.columns = kColumns;
+    test.rays = raysOnto(room.floor, kColumns, 0.35, room.random);
+    return test;
+}
+
+RadianceCase pointLights(std::uint64_t seed) {
+    Room room(seed);
+    RadianceCase test = onFloor(room);
+    test.expected.assign(test.rays.size(), Vector3d::Zero());
+    test.lightCount = 5;
+    for (int i = 0; i < test.lightCount; ++i) {
+        const Vector3d position = room.world({-1.2 + 0.6 * i + room.random.uniform(-0.1, 0.1),
+                                              room.random.uniform(-0.8, 0.8), 1.2 + 0.1 * i});
+        const Vector3d intensity = room.random.color(1, 6);
+        room.scene.addPointLight(position, intensity.cast<float>().cast<double>());
+        for (std::size_t k = 0; k < test.rays.size(); ++k)
+            test.expected[k] +=
+                reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
+    }
+    test.scene = room.scene;
+    return test;
+}
+
+/// One light; everything `scale` times as large.
+RadianceCase areaLight(std::uint64_t seed, double scale) {
+    Room room(seed);
+    const Vector3d radiance = room.random.color(3, 9);
+    const TestMesh light = room.lightMesh({0.2, -0.1, 1.3}, 0.9, 0.55);
+    RadianceCase test = onFloor(room);
+    for (const TestRay &ray : test.rays)
+        test.expected.push_back(
+            reflectedFromPolygon(room, hitPoint(ray, room.floor), light, radiance));
+    // Radiance does not change when everything grows.
+    const auto grow = [&](TestMesh mesh) {
+        for (Vector3d &p : mesh.positions)
+            p *= scale;
+        return mesh.transformed(Eigen::Isometry3d::Identity());
+    };
+    for (TestRay &ray : test.rays)
+        ray.origin = (ray.origin * scale).cast<float>().cast<double>();
+    test.scene = TestScene();
+    test.scene.addMesh(grow(room.floor), room.albedo);
+    test.scene.addLight(grow(light), {0.3, 0.4, 0.2},
+                        {.radiance = radiance, .scale = {}, .texture = {}});
+    return test;
+}
+
+RadianceCase manyLights(std::uint64_t seed) {
+    Room room(seed);
+    RadianceCase test = onFloor(room);
+    test.expected.assign(test.rays.size(), Vector3d::Zero());
+    const double sizes[] = {0.25, 0.6, 0.4};
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d radiance = room.random.color(2, 9);
+        const TestMesh light =
+            room.lightMesh({-0.9 + 0.9 * i, 0.4 - 0.35 * i, 1.5}, sizes[i], 0.5 * sizes[i] + 0.1);
+        room.scene.addLight(light, {0.5, 0.5, 0.5},
+                            {.radiance = radiance, .scale = {}, .texture = {}});
+        for (std::size_t k = 0; k < test.rays.size(); ++k)
+            test.expected[k] +=
+                reflectedFromPolygon(room, hitPoint(test.rays[k], room.floor), light, radiance);
+    }
+    for (int i = 0; i < 2; ++i) {
+        const Vector3d position =
+            room.world({-0.5 + i, 0.3 * i - 0.2, 0.9}).cast<float>().cast<double>();
+        const Vector3d intensity = room.random.color(0.5, 2);
+        room.scene.addPointLight(position, intensity);
+        for (std::size_t k = 0; k < test.rays.size(); ++k)
+            test.expected[k] +=
+                reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
+    }
+    test.lightCount = 5;
+    test.scene = room.scene;
+    return test;
+}
+
+/// A sphere with vertex normals between light and floor, and rays onto both: judged against our own
+/// estimator.
+RadianceCase shadow(std::uint64_t seed) {
+    Room room(seed);
+    RadianceCase test = onFloor(room);
+    const TestMesh ball = sphere({0.1, 0.05, 0.75}, 0.22, 10).transformed(room.pose);
+    room.scene.addMesh(ball, room.random.color(0.3, 0.8));
+    room.scene.addLight(room.lightMesh({0.2, -0.1, 1.6}, 0.7, 0.45), {0.2, 0.2, 0.2},
+                        {.radiance = room.random.color(4, 9), .scale = {}, .texture = {}});
+    const Vector3d center = room.world({0.1, 0.05, 0.75});
+    const Vector3d up = room.pose.linear() * Vector3d::UnitZ();
+    for (int i = 0; i < 4 * kColumns; ++i) {
+        // From above, onto the lit half.
+        const Vector3d offset = 0.18 * (room.random.direction() + 0.4 * up).normalized();
+        TestRay ray;
+        ray.origin =
+            (center + 0.5 * up + 0.25 * room.random.direction()).cast<float>().cast<double>();
+        ray.direction = (center + offset - ray.origin).normalized().cast<float>().cast<double>();
+        test.rays.push_back(ray);
+    }
+    test.scene = room.scene;
+    return test;
+}
+
+RadianceCase environment(std::uint64_t seed) {
+    Room room(seed);
+    RadianceCase test = onFloor(room);
+    room.scene.addMesh(sphere({0.1, 0.05, 0.95}, 0.3, 10).transformed(room.pose),
+                       room.random.color(0.3, 0.8));
+    room.scene.addFile(kSkyMapName, skyMap());
+    room.scene.addEnvironment({255, 230, 200}, kSkyMapName);
+    test.scene = room.scene;
+    test.repeats = 4096;
+    return test;
+}
+
+/// Rays that meet nothing: what the environment sends, exactly.
+RadianceCase background(std::uint64_t seed) {
+    Room room(seed);
+    room.scene.addFile(kSkyMapName, skyMap());
+    room.scene.addEnvironment({255, 230, 200}, kSkyMapName);
+    RadianceCase test;
+    const Vector3d up = room.floor.geometricNormal(0);
+    const Vector3d origin = room.world({0, 0, 0.5});
+    while (test.rays.size() < static_cast<std::size_t>(kColumns) * 4) {
+        const Vector3d direction = room.random.direction();
+        if (direction.dot(up) > 0.1)
+            test.rays.push_back({origin, direction.cast<float>().cast<double>()});
+    }
+    test.scene = room.scene;
+    test.repeats = 4;
+    return test;
+}
+
+/// Rays straight at a light from its front, or from behind.
+RadianceCase visibleLight(std::uint64_t seed, bool fromBehind) {
+    Room room(seed);
+    const Vector3d radiance = room.random.color(1, 5);
+    const TestMesh light = room.lightMesh({0.2, -0.1, 1.3}, 0.9, 0.55);
+    room.scene.addLight(light, {0, 0, 0}, {.radiance = radiance, .scale = {}, .texture = {}});
+    RadianceCase test;
+    test.rays = raysOnto(light, kColumns, fromBehind ? -0.6 : 0.6, room.random);
+    test.expected.assign(test.rays.size(), fromBehind ? Vector3d::Zero().eval() : radiance);
+    test.scene = room.scene;
+    test.repeats = 16;
+    return test;
+}
+
+/// A light that is lit by another one: it emits and reflects.
+RadianceCase reflectingLight(std::uint64_t seed) {
+    Room room(seed);
+    const Vector3d radiance = room.random.color(0.5, 1);
+    const Vector3d intensity = room.random.color(2, 5);
+    const Vector3d position = room.world({0.3, 0.2, 1.4}).cast<float>().cast<double>();
+    room.scene = TestScene();
+    room.scene.addLight(room.floor, room.albedo,
+                        {.radiance = radiance, .scale = {}, .texture = {}});
+    room.scene.addPointLight(position, intensity);
+    RadianceCase test = onFloor(room);
+    for (const TestRay &ray : test.rays)
+        test.expected.push_back(
+            radiance + reflectedFromPoint(room, hitPoint(ray, room.floor), position, intensity));
+    test.scene = room.scene;
+    return test;
+}
+
+/// A wall so far away that its shadow is lost when the environment is taken to be at a finite
+/// distance.
+RadianceCase farShadow(std::uint64_t seed) {
+    Room room(seed);
+    RadianceCase test = onFloor(room);
+    room.scene.addMesh(
+        parallelogram({-9000, -9000, 3000}, {0, 18000, 0}, {18000, 0, 0}).transformed(room.pose),
+        {0.5, 0.5, 0.5});
+    room.scene.addEnvironment({1.3, 1.1, 0.9});
+    test.scene = room.scene;
+    test.repeats = 4096;
+    return test;
+}
+
+Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t)) {
+    Check check;
+    check.id = std::string("direct_ems.") + name;
+    check.item = "direct_ems";
+    check.group = "direct_ems";
+    check.what = what;
+    check.tolerance = 0.002;
+    check.gross = 0.05;
+    check.run = [make](CheckContext &context) {
+        return judgeRadiance(context, make(context.seed("scene")));
+    };
+    return check;
+}
+
+} // namespace
+
+std::vector<Check> directEmsChecks() {
+    return {
+        row("point_lights", "Five coloured point lights add up to the closed form.", pointLights),
+        row("area_light", "A parallelogram light gives Lambert's formula.",
+            [](std::uint64_t seed) { return areaLight(seed, 1); }),
+        row("many_lights", "Three area and two point lights together give the closed form.",
+            manyLights),
+        row("shadow", "Shadows of a sphere agree with our own estimator.", shadow),
+        row("visible_light", "A light that is seen shows its radiance.",
+            [](std::uint64_t seed) { return visibleLight(seed, false); }),
+        row("environment", "An environment map lights a scene as in our own estimator.",
+            environment),
+        row("background", "Where nothing is hit, the environment is seen.", background),
+        row("light_behind", "A light seen from behind is dark.",
+            [](std::uint64_t seed) { return visibleLight(seed, true); }),
+        row("reflecting_light", "A light reflects what another light sends.", reflectingLight),
+        row("large_scene", "A scene in units 300 times smaller gives the same image.",
+            [](std::uint64_t seed) { return areaLight(seed, 300); }),
+        row("far_shadow", "A wall thousands of units away still hides the environment.", farShadow),
+    };
+}
+
+} // namespace grader

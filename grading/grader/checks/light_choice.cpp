@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "light_choice.h"
+
+#include <grader/checks/answer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace grader {
+
+namespace {
+
+constexpr int kColumns = 8;
+constexpr int kRepeats = 2048;
+constexpr double kChromaticityTolerance = 0.02;
+constexpr double kUniformTolerance =
+    0.03; ///< relative; 131072 samples of 5 lights give 0.6 % noise
+
+/// Colours far apart in chromaticity, brightnesses far apart in size.
+const Vector3d kColors[] = {
+    {1.0, 0.2, 0.1}, {0.15, 1.0, 0.2}, {0.1, 0.25, 1.0}, {1.0, 0.9, 0.15}, {0.9, 0.1, 1.0}};
+constexpr double kBrightness[] = {1.0, 6.0, 2.5, 0.7, 4.0};
+
+struct Weight {
+    const char *name;
+    double (*of)(const Vector3d &intensity);
+};
+
+/// What "emitted radiance" is taken to be: a spectrum has no one size.
+const Weight kWeights[] = {
+    {"luminance",
+     [](const Vector3d &c) {
+         return 0.212671 * c.x() + 0.715160 * c.y() + 0.072169 * c.z();
+     }},
+    {"the mean of the channels",
+     [](const Vector3d &c) {
+         return c.mean();
+     }},
+    {"the largest channel",
+     [](const Vector3d &c) {
+         return c.maxCoeff();
+     }},
+    {"the norm of the colour",
+     [](const Vector3d &c) {
+         return c.norm();
+     }},
+    {"the square of the norm",
+     [](const Vector3d &c) {
+         return c.squaredNorm();
+     }},
+    {"the red channel",
+     [](const Vector3d &c) {
+         return c.x();
+     }},
+    {"the green channel",
+     [](const Vector3d &c) {
+         return c.y();
+     }},
+};
+
+RadianceCase makeCase(std::uint64_t seed, LightChoice &choice) {
+    SceneRandom random(seed);
+    const Eigen::Isometry3d pose = random.rigid(1.5);
+    const TestMesh floor = parallelogram({-1, -0.8, 0}, {2, 0, 0}, {0, 1.7, 0}).transformed(pose);
+    const Vector3d albedo = random.color(0.4, 0.7);
+    choice.albedo = albedo;
+    RadianceCase test;
+    test.columns = kColumns;
+    test.rays = raysOnto(floor, kColumns, 0.35, random);
+    test.expected.assign(test.rays.size(), Vector3d::Zero());
+    test.scene.addMesh(floor, albedo);
+    test.repeats = 8192;
+    test.lightCount = static_cast<int>(std::size(kColors));
+    for (std::size_t i = 0; i < std::size(kColors); ++i) {
+        const Vector3d local(-1.0 + 0.5 * static_cast<double>(i), random.uniform(-0.7, 0.7), 1.3);
+        const Vector3d position = (pose * local).cast<float>().cast<double>();
+        const Vector3d intensity =
+            (kColors[i] * kBrightness[i] * random.uniform(0.9, 1.1)).cast<float>().cast<double>();
+        test.scene.addPointLight(position, intensity);
+        choice.intensities.push_back(intensity);
+        for (std::size_t k = 0; k < test.rays.size(); ++k) {
+            const Vector3d toLight = position - hitPoint(test.rays[k], floor);
+            const double cosTheta = floor.geometricNormal(0).dot(toLight.normalized());
+            test.expected[k] += albedo.cwiseProduct(intensity) *
+                                (cosTheta / std::numbers::pi / toLight.squaredNorm());
+        }
+    }
+    return test;
+}
+
+} // namespace
+
+bool LightChoice::isUniform() const {
+    const double even = 1 / static_cast<double>(frequencies.size());
+    return std::all_of(frequencies.begin(), frequencies.end(),
+                       [&](double f) { return std::abs(f / even - 1) <= kUniformTolerance; });
+}
+
+LightChoice measureChoice(CheckContext &context) {
+    LightChoice choice;
+    choice.test = makeCase(context.seed("scene"), choice);
+    const ProbeAnswer answer =
+        context.ask(radianceRequest(choice.test, kRepeats, context.seed("choice")));
+    choice.failure = unanswered(answer);
+    if (choice.failure)
+        return choice;
+    // A sample of light i is albedo * intensity_i times a number: its chromaticity is the light's.
+    std::vector<double> counts(choice.intensities.size());
+    double total = 0;
+    const std::vector<float> &values = answer.responses[0].values;
+    for (std::size_t at = 0; at + 2 < values.size(); at += 3) {
+        const Vector3d value =
+            Vector3d(values[at], values[at + 1], values[at + 2]).cwiseQuotient(choice.albedo);
+        ++total;
+        if (!value.allFinite() || !(value.norm() > 0))
+            continue;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            if ((value.normalized() - choice.intensities[i].normalized()).norm() <=
+                kChromaticityTolerance)
+                counts[i] += 1;
+        }
+    }
+    double recognised = 0;
+    for (const double count : counts)
+        recognised += count;
+    choice.recognised = recognised / total;
+    for (const double count : counts)
+        choice.frequencies.push_back(recognised > 0 ? count / recognised : 0);
+    return choice;
+}
+
+ChoiceLaw nearestLaw(const LightChoice &choice) {
+    ChoiceLaw best;
+    best.error = std::numeric_limits<double>::infinity();
+    for (const Weight &weight : kWeights) {
+        double sum = 0;
+        for (const Vector3d &intensity : choice.intensities)
+            sum += weight.of(intensity);
+        double error = 0;
+        for (std::size_t i = 0; i < choice.intensities.size(); ++i) {
+            const double wanted = weight.of(choice.intensities[i]) / sum;
+            error = std::max(error, std::abs(choice.frequencies[i] / wanted - 1));
+        }
+        if (error < best.error)
+            best = {weight.name, error, false};
+    }
+    // Correlation of frequency and luminance.
+    double covariance = 0;
+    const double even = 1 / static_cast<double>(choice.frequencies.size());
+    double mean = 0;
+    for (const Vector3d &intensity : choice.intensities)
+        mean += kWeights[0].of(intensity) * even;
+    for (std::size_t i = 0; i < choice.intensities.size(); ++i)
+        covariance +=
+            (choice.frequencies[i] - even) * (kWeights[0].of(choice.intensities[i]) - mean);
+    best.reversed = covariance < 0;
+    return best;
+}
+
+} // namespace grader

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include <grader/checks/answer.h>
+#include <grader/checks/mesh_samples.h>
+#include <statistics/chi_square.h>
+#include <statistics/triple_lock.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check_groups.h"
+
+namespace grader {
+
+namespace {
+
+constexpr int kSamples = 1 << 16;
+constexpr int kBins = 8;            ///< per barycentric coordinate
+constexpr double kMinExpected = 20; ///< per pooled cell: the cells are unequal
+constexpr double kToleratedRms = 0.01;
+constexpr double kPositionTolerance = 1e-4; ///< of the mesh's size
+constexpr double kNormalTolerance = 2e-3;
+constexpr double kUvTolerance = 1e-3;
+
+enum class Shape { Parallelogram, Strip, Ball, FlippedNormals };
+
+TestMesh makeShape(Shape shape, std::uint64_t seed) {
+    SceneRandom random(seed);
+    TestMesh mesh;
+    switch (shape) {
+    case Shape::Strip:
+        mesh = unequalStrip(random);
+        break;
+    case Shape::Ball:
+        mesh = sphere({0.3, -0.2, 0.1}, random.uniform(0.5, 0.9), 7);
+        break;
+    default:
+        mesh = parallelogram({-0.4, 0.2, 0}, {random.uniform(0.6, 0.9), 0.1, 0},
+                             {-0.15, random.uniform(0.4, 0.6), 0});
+        break;
+    }
+    if (shape == Shape::FlippedNormals)
+        mesh.normals.assign(mesh.positions.size(), Vector3d(0, 0, -1));
+    return mesh.transformed(random.rigid(2));
+}
+
+/// Asks for positions on a mesh that is the only one of a scene.
+MeshAnswer askSamples(CheckContext &context, const TestMesh &mesh, int count, int stage) {
+    TestScene scene("normals");
+    scene.addMesh(mesh, {0.5, 0.5, 0.5});
+    return askMeshSamples(context, scene, 0, mesh, count, context.seed("samples", stage));
+}
+
+/// Judges something of every sample, no randomness in it: the largest error and its tolerance.
+CheckResult judgeEverySample(CheckContext &context, Shape shape, double tolerance,
+                             const char *quantity, const char *diagnosis,
+                             double (*error)(const TestMesh &, const MeshSample &)) {
+    const TestMesh mesh = makeShape(shape, context.seed("mesh"));
+    const MeshAnswer answer = askSamples(context, mesh, kSamples / 16, 0);
+    if (answer.failure)
+        return *answer.failure;
+    double worst = 0;
+    int wrong = 0;
+    for (const MeshSample &sample : answer.samples) {
+        const double e = error(mesh, sample);
+        worst = std::isfinite(e) ? std::max(worst, e) : 1e9;
+        wrong += e <= tolerance ? 0 : 1;
+    }
+    const double part = static_cast<double>(wrong) / static_cast<double>(answer.samples.size());
+    CheckResult result =
+        makeResult(wrong == 0 ? Verdict::Pass : Verdict::Fail,
+                   fmt::format("{} of {} {} are wrong; the largest error is {:.2g}.", wrong,
+                               answer.samples.size(), quantity, worst),
+                   wrong == 0 ? "" : diagnosis);
+    result.effect = part;
+    return result;
+}
+
+/// Stage of the triple lock: are the samples uniform over the area?
+struct Uniformity {
+    statistics::StageResult stage;
+    std::optional<CheckResult> failure;
+};
+
+Uniformity uniformityStage(CheckContext &context, const TestMesh &mesh,
+                           const statistics::StageRequest &request) {
+    Uniformity result;
+    const int count = kSamples * request.sampleFactor;
+    const MeshAnswer answer = askSamples(context, mesh, count, static_cast<int>(request.index));
+    if (answer.failure) {
+        result.failure = answer.failure;
+        result.stage.reliable = false;
+        return result;
+    }
+    // Cells: triangle by triangle, in each an equal-area grid of the barycentric chart.
+    const std::size_t perFace = kBins * kBins;
+    std::vector<double> observed(mesh.faces.size() * perFace);
+    std::vector<double> expected(observed.size());
+    double inside = 0;
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+        for (std::size_t cell = 0; cell < perFace; ++cell)
+            expected[face * perFace + cell] =
+                count * mesh.area(face) / mesh.area() / static_cast<double>(perFace);
+    }
+    for (const MeshSample &sample : answer.samples) {
+        if (!(sample.distance <= kPositionTolerance))
+            continue; // judged by mesh.position
+        ++inside;
+        const auto [u, v] = sample.unitSquare();
+        const auto bin = [](double x) {
+            return std::clamp(static_cast<int>(x * kBins), 0, kBins - 1);
+        };
+        observed[sample.face * perFace + static_cast<std::size_t>(bin(u) * kBins + bin(v))] += 1;
+    }
+    const statistics::ChiSquareResult test =
+        statistics::chiSquareTest(observed, expected, {.minExpected = kMinExpected});
+    statistics::StageResult &stage = result.stage;
+    stage.pValue = statistics::toleranceZonePValue(test.statistic, test.degreesOfFreedom, count,
+                                                   kToleratedRms);
+    stage.effect = statistics::rmsErrorEstimate(test.statistic, test.degreesOfFreedom, count);
+    stage.effectBound =
+        statistics::rmsErrorUpperBound(test.statistic, test.degreesOfFreedom, count);
+    stage.mde =
+        statistics::rmsErrorDetectable(test.degreesOfFreedom, count, {.tolerance = kToleratedRms});
+    stage.z = (test.statistic - test.degreesOfFreedom) / std::sqrt(2.0 * test.degreesOfFreedom);
+    for (std::size_t i = 0; i < observed.size(); ++i)
+        stage.deviation.push_back((observed[i] - expected[i]) / std::sqrt(expected[i]));
+    return result;
+}
+
+CheckResult judgeUniformity(CheckContext &context, Shape shape) {
+    const TestMesh mesh = makeShape(shape, context.seed("mesh"));
+    std::optional<CheckResult> failure;
+    const statistics::LockResult lock = statistics::tripleLock(
+        [&](const statistics::StageRequest &request) {
+            Uniformity found = uniformityStage(context, mesh, request);
+            failure = found.failure;
+            return found.stage;
+        },
+        {.tolerance = kToleratedRms, .passLimit = 0.2});
+    if (failure)
+        return *failure;
+    const statistics::StageResult &last = lock.stages.back();
+    const Verdict verdict = lock.decision == statistics::Decision::Pass   ? Verdict::Pass
+                            : lock.decision == statistics::Decision::Fail ? Verdict::Fail
+                                                                          : Verdict::Inconclusive;
+    CheckResult result = makeResult(
+        verdict,
+        fmt::format("The density of points over {} triangles differs from uniform by {:.2g} % rms "
+                    "(below {:.2g} % at 99.99 %).",
+                    mesh.faces.size(), 100 * last.effect, 100 * last.effectBound),
+        verdict == Verdict::Fail
+            ? "Choose the triangle with probability proportional to its area, and use the sample "
+              "that DiscretePDF::sampleReuse rescales for the point in it."
+            : "");
+    result.effect = last.effect;
+    result.mde = last.mde;
+    result.p = last.pValue;
+    return result;
+}
+
+CheckResult judgeDensity(CheckContext &context, Shape shape) {
+    const TestMesh mesh = makeShape(shape, context.seed("mesh"));
+    TestScene scene("normals");
+    scene.addMesh(mesh, {0.5, 0.5, 0.5});
+    protocol::RequestGroup group;
+    group.files = scene.files();
+    protocol::Request request;
+    request.op = protocol::Op::MeshDensity;
+    request.text = TestScene::kFileName;
+    for (const Vector3d &p : mesh.positions) {
+        for (int i = 0; i < 3; ++i)
+            request.values.push_back(static_cast<float>(p[i]));
+    }
+    group.requests.push_back(request);
+    const ProbeAnswer answer = context.ask(group);
+    if (auto failure = unanswered(answer))
+        return *failure;
+    const double area = mesh.area();
+    double worst = 0;
+    double ratio = 1;
+    for (const float density : answer.responses[0].values) {
+        const double r = static_cast<double>(density) * area;
+        const double error = std::isfinite(r) ? std::abs(r - 1) : 1e9;
+        if (error > worst) {
+            worst = error;
+            ratio = r;
+        }
+    }
+
+    const struct {
+        double ratio;
+        const char *mistake;
+    } known[] = {
+        {area * area, "It returns the area instead of 1 / area."},
+        {area, "It returns 1: was the DiscretePDF normalised twice, or not at all?"},
+        {area / mesh.area(0), "It returns 1 / (area of one triangle) instead of 1 / (all of it)."},
+        {area * mesh.area(0), "It returns the area of one triangle."},
+        {0, "It returns 0."},
+    };
+
+    CheckResult result = makeResult(
+        worst <= 1e-4 ? Verdict::Pass : Verdict::Fail,
+        fmt::format("Mesh::pdf times the area of {:.4f} is {:.5g}; it must be 1.", area, ratio));
+    result.effect = worst;
+    for (const auto &row : known) {
+        if (result.verdict == Verdict::Fail && result.diagnosis.empty() &&
+            std::abs(ratio - row.ratio) <= 1e-3 * std::max(row.ratio, 1e-3))
+            result.diagnosis = row.mistake;
+    }
+    return result;
+}
+
+double positionError(const TestMesh &, const MeshSample &sample) {
+    return sample.distance;
+}
+
+double normalError(const TestMesh &mesh, const MeshSample &sample) {
+    return (sample.normal - expectedNormal(mesh, sample)).norm();
+}
+
+double uvError(const TestMesh &mesh, const MeshSample &sample) {
+    return (sample.uv - expectedUv(mesh, sample)).norm();
+}
+
+Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
+    Check check;
+    check.id = std::string("mesh.") + name;
+    check.item = "area_light";
+    check.group = "mesh";
+    check.what = what;
+    check.tolerance = 0.001;
+    check.gross = 0.2;
+    check.run = std::move(run);
+    return check;
+}
+
+CheckResult positions(CheckContext &context, Shape shape) {
+    return judgeEverySample(context, shape, kPositionTolerance, "points",
+                            "The points do not lie on the mesh: do the three barycentric weights "
+                            "add up to 1?",
+                            positionError);
+}
+
+CheckResult normals(CheckContext &context, Shape shape) {
+    return judgeEverySample(context, shape, kNormalTolerance, "normals",
+                            "The normal must be the normalised interpolation of the face's vertex "
+                            "normals, or the face's own by its winding if the mesh has none.",
+                            normalError);
+}
+
+} // namespace
+
+std::vector<Check> meshChecks() {
+    return {
+        row("position", "Points lie on the mesh.",
+            [](CheckContext &context) { return positions(context, Shape::Parallelogram); }),
+        row("uniform", "Points are uniform on a light of two equal triangles.",
+            [](CheckContext &context) { return judgeUniformity(context, Shape::Parallelogram); }),
+        row("normal", "Without vertex normals, the normal is the face's.",
+            [](CheckContext &context) { return normals(context, Shape::Parallelogram); }),
+        row("vertex_normal", "Vertex normals are used where the mesh has them.",
+            [](CheckContext &context) { return normals(context, Shape::FlippedNormals); }),
+        row("density", "Mesh::pdf is 1 / area on a light of two equal triangles.",
+            [](CheckContext &context) { return judgeDensity(context, Shape::Parallelogram); }),
+        row("unequal", "Points are uniform on triangles of unequal areas.",
+            [](CheckContext &context) { return judgeUniformity(context, Shape::Strip); }),
+        row("unequal_density", "Mesh::pdf is 1 / area on triangles of unequal areas.",
+            [](CheckContext &context) { return judgeDensity(context, Shape::Strip); }),
+        row("smooth_normal", "Normals are interpolated on a curved mesh.",
+            [](CheckContext &context) { return normals(context, Shape::Ball); }),
+        row("uv", "Texture coordinates belong to the point.",
+            [](CheckContext &context) {
+                return judgeEverySample(context, Shape::Ball, kUvTolerance, "texture coordinates",
+                                        "Interpolate the texture coordinates with the weights of "
+                                        "the position.",
+                                        uvError);
+            }),
+    };
+}
+
+} // namespace grader

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include <battery/density.h>
+#include <battery/distribution.h>
+#include <battery/inputs.h>
+#include <battery/nearest_mistake.h>
+#include <battery/range.h>
+#include <battery/stratified.h>
+#include <grader/checks/answer.h>
+#include <grader/checks/warp_samples.h>
+#include <statistics/triple_lock.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "check_groups.h"
+
+namespace grader {
+
+namespace {
+
+using battery::Input;
+using battery::Output;
+using catalog::WarpEntry;
+
+constexpr int kGridSide = 512;
+constexpr std::size_t kHiddenPairs = 4096;
+constexpr int kStratifiedStages = 3; ///< all of them must exceed the threshold
+
+std::string atParameter(const WarpEntry &warp, double parameter) {
+    return warp.hasParameter ? fmt::format(" at alpha = {:g}", parameter) : "";
+}
+
+/// The result that costs most, so that one bad parameter is enough.
+void keepWorse(CheckResult &worst, CheckResult next) {
+    const auto badness = [](const CheckResult &result) {
+        const double effect = result.effect == result.effect ? result.effect : 1e9;
+        return std::pair(result.verdict == Verdict::Pass           ? 0
+                         : result.verdict == Verdict::Inconclusive ? 1
+                                                                   : 2,
+                         effect);
+    };
+    if (worst.message.empty() || badness(next) > badness(worst))
+        worst = std::move(next);
+}
+
+CheckResult rangeResult(const WarpEntry &warp, const battery::RangeResult &range,
+                        const std::vector<Input> &inputs, const std::string &where) {
+    const Input &input = inputs[range.firstBad];
+    CheckResult result = makeResult(
+        Verdict::Fail,
+        fmt::format("{} of {} outputs{} are not in the domain ({} not finite, {} not of length 1, "
+                    "{} outside), first for the sample ({}, {}).",
+                    range.bad(), range.total, where, range.notFinite, range.offNorm, range.outside,
+                    input.u, input.v));
+    result.effect = range.badFraction();
+    result.diagnosis = range.notFinite > 0
+                           ? "A division by 0, the logarithm of 0 or the root of a negative number."
+                           : fmt::format("{} leaves its domain.", warp.warpFunction);
+    return result;
+}
+
+/// Deterministic: domain and repeatability. \return  a failure, or an empty message
+CheckResult judgeOutputs(const WarpEntry &warp, const battery::Batch &batch,
+                         const std::vector<Input> &grid, const WarpAnswer &answer,
+                         const std::string &where) {
+    const battery::DuplicateResult repeats = battery::judgeDuplicates(batch, answer.outputs[0]);
+    if (repeats.differing > 0) {
+        CheckResult result = makeResult(
+            Verdict::Fail,
+            fmt::format("{} of {} samples give another point when they come again{}.",
+                        repeats.differing, repeats.pairs, where),
+            "A warp must use nothing but its sample: no random numbers of its own, no state.");
+        result.effect = 1;
+        return result;
+    }
+    const std::pair<const std::vector<Input> *, const std::vector<Output> *> lists[] = {
+        {&batch.inputs, &answer.outputs[0]}, {&grid, &answer.outputs[1]}};
+    for (const auto &[inputs, outputs] : lists) {
+        const battery::RangeResult range = battery::judgeRange(warp, *inputs, *outputs);
+        if (range.badFraction() > battery::kTolerableBadFraction)
+            return rangeResult(warp, range, *inputs, where);
+    }
+    return {};
+}
+
+std::string edgeRemark(const WarpEntry &warp, const std::vector<Output> &outputs) {
+    const battery::RangeResult edge = battery::judgeRange(warp, battery::edgeInputs(), outputs);
+    return edge.bad() == 0 ? ""
+                           : fmt::format(" At {} of {} edge inputs, such as a sample of exactly 0, "
+                                         "it leaves the domain.",
+                                         edge.bad(), edge.total);
+}
+
+/// Stratified inputs: far sharper than independent ones, against a fixed bound.
+CheckResult judgeStratified(CheckContext &context, const WarpEntry &warp, double parameter) {
+    battery::StratifiedResult last;
+    for (int stage = 0; stage < kStratifiedStages; ++stage) {
+        const WarpAnswer answer =
+            askWarp(context, warp, parameter,
+                    {battery::stratifiedInputs(battery::kStratifiedSide,
+                                               context.seed("stratified", stage))});
+        if (answer.failure)
+            return *answer.failure;
+        last = battery::judgeStratified(warp, parameter, answer.outputs[0]);
+        if (!last.exceeds())
+            break;
+    }
+    CheckResult result = makeResult(
+        last.exceeds() ? Verdict::Fail : Verdict::Pass,
+        fmt::format("Smooth deviations from the density are {} {:.2g} %{}.",
+                    last.exceeds() ? "as large as" : "below",
+                    100 * std::max(last.maxMoment, last.threshold), atParameter(warp, parameter)));
+    result.effect = last.maxMoment;
+    result.mde = last.threshold;
+    return result;
+}
+
+CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double parameter) {
+    const std::string where = atParameter(warp, parameter);
+    const std::vector<Input> grid = battery::gridInputs(kGridSide);
+    CheckResult ended;
+    battery::DistributionResult last;
+    std::vector<Output> outputs;
+    std::string remark;
+    const auto stop = [&](CheckResult result) {
+        ended = std::move(result);
+        statistics::StageResult stage;
+        stage.reliable = false;
+        return stage;
+    };
+    const auto stage = [&](const statistics::StageRequest &request) {
+        const int index = static_cast<int>(request.index);
+        const battery::Batch batch = battery::hideDuplicates(
+            battery::randomInputs(battery::kDistributionSamples * request.sampleFactor,
+                                  context.seed("inputs", index)),
+            kHiddenPairs, context.seed("pairs", index));
+        const WarpAnswer answer =
+            askWarp(context, warp, parameter, {batch.inputs, grid, battery::edgeInputs()});
+        if (answer.failure)
+            return stop(*answer.failure);
+        remark = edgeRemark(warp, answer.outputs[2]);
+        CheckResult wrong = judgeOutputs(warp, batch, grid, answer, where);
+        if (!wrong.message.empty())
+            return stop(std::move(wrong));
+        outputs = battery::withoutDuplicates(batch, answer.outputs[0]);
+        last = battery::judgeDistribution(warp, parameter, outputs);
+        return battery::asStage(last);
+    };
+    const statistics::LockResult lock =
+        statistics::tripleLock(stage, battery::distributionLock(warp, parameter));
+    if (!ended.message.empty())
+        return ended;
+
+    CheckResult result = makeResult(
+        Verdict::Inconclusive,
+        fmt::format("The density of the points differs from the true one by {:.2g} % rms{} (below "
+                    "{:.2g} % at 99.99 %).{}",
+                    100 * last.rmsError, where, 100 * last.rmsBound, remark));
+    result.effect = last.rmsError;
+    result.mde = last.mde;
+    result.p = last.pValue;
+    if (lock.decision == statistics::Decision::Fail) {
+        result.verdict = Verdict::Fail;
+        const battery::MistakeMatch match = battery::nearestMistake(warp, parameter, outputs);
+        if (match.mistake != nullptr)
+            result.diagnosis = match.mistake->description;
+        return result;
+    }
+    CheckResult stratified = judgeStratified(context, warp, parameter);
+    if (stratified.verdict != Verdict::Pass)
+        return stratified;
+    if (lock.decision == statistics::Decision::Pass)
+        result.verdict = Verdict::Pass;
+    return result;
+}
+
+std::string describeRatio(const battery::DensityResult &density) {
+    if (density.mistake != nullptr)
+        return std::string(density.mistake->description);
+    if (density.ratio.found && density.ratio.cosinePower == 0)
+        return fmt::format("It is {} times the true density.",
+                           density.ratio.constantName.empty()
+                               ? fmt::format("{:.4g}", density.ratio.constant)
+                               : density.ratio.constantName);
+    if (density.ratio.found && density.ratio.cosinePower == 1 && density.ratio.constantName == "1")
+        return "There is a cosine too many.";
+    if (density.ratio.found && density.ratio.cosinePower == -1 && density.ratio.constantName == "1")
+        return "A cosine is missing.";
+    if (density.ratio.found)
+        return fmt::format("It is {:.4g} times the true density times cos^{}.",
+                           density.ratio.constant, density.ratio.cosinePower);
+    if (density.zeroAtTarget > 0)
+        return "It is 0 at some points that the warp gives: is the norm compared exactly?";
+    return "";
+}
+
+/// \param outside  judge what is outside the support instead of inside
+CheckResult judgeDensityAt(CheckContext &context, const WarpEntry &warp, double parameter,
+                           bool outside) {
+    const battery::DensityQueries queries =
+        battery::densityQueries(warp, parameter, context.seed("points"));
+    const DensityAnswer answer = askDensity(context, warp, parameter, {queries.points});
+    if (answer.failure)
+        return *answer.failure;
+    const battery::DensityResult found =
+        battery::judgeDensity(warp, parameter, queries, answer.densities[0]);
+    const std::string where = atParameter(warp, parameter);
+    CheckResult result;
+    if (outside) {
+        result = makeResult(
+            found.rightOutside() ? Verdict::Pass : Verdict::Fail,
+            fmt::format("The density is not 0 at {} of {} points outside of the domain{}.",
+                        found.nonZeroOutside, found.outsidePoints, where),
+            found.rightOutside() ? "" : "Return 0 for points that the warp never gives.");
+        result.effect = found.outsideMass;
+        return result;
+    }
+    const bool right = found.rightInside() && found.notFinite == 0 && found.negative == 0;
+    result = makeResult(
+        right ? Verdict::Pass : Verdict::Fail,
+        fmt::format(
+            "The density is wrong at {:.2g} % of the samples{}; it is {:.4g} times the true "
+            "one (median).",
+            100 * found.wrongMass(), where, found.medianRatio));
+    result.effect = std::max(found.wrongMass(), right ? 0.0 : 0.001);
+    if (!right)
+        result.diagnosis = describeRatio(found);
+    if (found.notFinite > 0)
+        result.message += fmt::format(" It is not finite at {} points.", found.notFinite);
+    if (found.negative > 0)
+        result.message += fmt::format(" It is negative at {} points.", found.negative);
+    return result;
+}
+
+template <typename Judge>
+std::function<CheckResult(CheckContext &)> atEveryParameter(const WarpEntry &warp, Judge judge) {
+    return [&warp, judge](CheckContext &context) {
+        CheckResult worst;
+        for (const double parameter : warp.parameters) {
+            keepWorse(worst, judge(context, warp, parameter));
+            if (worst.verdict != Verdict::Pass && worst.verdict != Verdict::Inconclusive &&
+                worst.verdict != Verdict::Fail)
+                break; // a crash or a stub needs no second parameter
+        }
+        return worst;
+    };
+}
+
+} // namespace
+
+std::vector<Check> warpChecks() {
+    std::vector<Check> checks;
+    for (const WarpEntry &warp : catalog::warpCatalog()) {
+        if (warp.rubricId.empty())
+            continue;
+        const std::string item(warp.rubricId);
+        Check row;
+        row.item = item;
+        row.group = "warp";
+        row.tolerance = 0.001;
+        row.gross = 0.1;
+
+        row.id = item + ".samples";
+        row.what = fmt::format("{} gives points of the right density.", warp.warpFunction);
+        row.run = atEveryParameter(warp, judgeSamplesAt);
+        checks.push_back(row);
+        row.id = item + ".density";
+        row.what = fmt::format("{} is the right density.", warp.densityFunction);
+        row.run =
+            atEveryParameter(warp, [](CheckContext &context, const WarpEntry &entry, double a) {
+                return judgeDensityAt(context, entry, a, false);
+            });
+        checks.push_back(row);
+        row.id = item + ".outside";
+        row.what = fmt::format("{} is 0 outside of the domain.", warp.densityFunction);
+        row.run =
+            atEveryParameter(warp, [](CheckContext &context, const WarpEntry &entry, double a) {
+                return judgeDensityAt(context, entry, a, true);
+            });
+        checks.push_back(row);
+    }
+    return checks;
+}
+
+} // namespace grader
