@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "check_runner.h"
+
+#include <grader/digest.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace grader {
+
+namespace {
+
+/// A check asks for a few seconds of a correct program's time at most.
+constexpr BoxLimits kProbeLimits = {.cpu = std::chrono::seconds(20),
+                                    .wall = std::chrono::seconds(90),
+                                    .memoryBytes = std::uint64_t{3} << 30,
+                                    .fileBytes = std::uint64_t{64} << 20,
+                                    .logBytes = std::uint64_t{1} << 20,
+                                    .processes = 32};
+
+class RunnerContext : public CheckContext {
+public:
+    RunnerContext(const Sandbox &sandbox, std::filesystem::path student,
+                  std::filesystem::path reference, std::string seedText, std::string digest)
+        : m_sandbox(sandbox),
+          m_student(std::move(student)),
+          m_reference(std::move(reference)),
+          m_seedText(std::move(seedText)),
+          m_digest(std::move(digest)) {}
+
+    ProbeAnswer ask(const protocol::RequestGroup &group) override {
+        return timed(askProbe(m_sandbox, m_student, group, kProbeLimits));
+    }
+
+    ProbeAnswer askReference(const protocol::RequestGroup &group) override {
+        return timed(askProbe(m_sandbox, m_reference, group, kProbeLimits));
+    }
+
+    /// The first stage is the same for every hand-in of a run, fair and reproducible; later ones
+    /// are fresh for each.
+    std::uint64_t seed(std::string_view purpose, int stage, int replicate) const override {
+        const std::string text = fmt::format("{}|{}|{}|{}|{}", m_seedText, purpose, stage,
+                                             replicate, stage > 0 ? m_digest : "");
+        return std::stoull(sha256Hex(text).substr(0, 16), nullptr, 16);
+    }
+
+    double sampleSeconds() const { return m_sampleSeconds; }
+
+private:
+    ProbeAnswer timed(ProbeAnswer answer) {
+        m_sampleSeconds += answer.outcome.wallSeconds;
+        return answer;
+    }
+
+    const Sandbox &m_sandbox;
+    std::filesystem::path m_student;
+    std::filesystem::path m_reference;
+    std::string m_seedText;
+    std::string m_digest;
+    double m_sampleSeconds = 0;
+};
+
+CheckResult withVerdict(const Check &check, Verdict verdict, std::string message) {
+    CheckResult result;
+    result.id = check.id;
+    result.verdict = verdict;
+    result.message = std::move(message);
+    return result;
+}
+
+/// Larger is better for the student.
+int rank(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Pass:
+        return 3;
+    case Verdict::Inconclusive:
+    case Verdict::Infra:
+    case Verdict::Human:
+        return 2;
+    case Verdict::Fail:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+bool isAtFault(Verdict verdict) {
+    return rank(verdict) < 2;
+}
+
+} // namespace
+
+CheckRunner::CheckRunner(const Sandbox &sandbox, const EngineOptions &options,
+                         std::filesystem::path referenceProbe, VariantBuilder &builder,
+                         const std::string &submissionDigest)
+    : m_sandbox(sandbox),
+      m_options(options),
+      m_referenceProbe(std::move(referenceProbe)),
+      m_builder(builder),
+      m_digest(submissionDigest) {}
+
+const Variant &CheckRunner::variant(const VariantPlan &plan, const Group &group) {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    const std::string key = group.id + "/" + plan.name;
+    const auto found = m_variants.find(key);
+    if (found != m_variants.end())
+        return found->second;
+    return m_variants.emplace(key, m_builder.build(plan)).first->second;
+}
+
+bool CheckRunner::upstreamAtFault(const Group &group) const {
+    return std::any_of(group.upstream.begin(), group.upstream.end(),
+                       [&](const std::string &id) { return m_atFault.count(id) != 0; });
+}
+
+CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
+    if (m_options.interrupted != nullptr && *m_options.interrupted)
+        throw Interrupted();
+    if (!variant.executable) {
+        const std::string why =
+            variant.failures.empty() ? "it does not link" : variant.failures.back().describe();
+        CheckResult result = withVerdict(check, Verdict::BuildError, why);
+        result.variant = variant.name;
+        return result;
+    }
+    RunnerContext context(m_sandbox, *variant.executable, m_referenceProbe,
+                          m_options.seedHex + "|" + check.id, m_digest);
+    CheckResult result = check.run(context);
+    result.id = check.id;
+    result.variant = variant.name;
+    m_sampleSeconds = m_sampleSeconds + context.sampleSeconds();
+    return result;
+}
+
+CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first) {
+    const bool excusable = upstreamAtFault(group);
+    // The integrator and the emitters may each be right and yet not agree on who divides by the
+    // density: then nothing upstream is charged, and the disagreement is the integrator's.
+    const bool mayDisagree = group.id == "direct_ems" && first.verdict == Verdict::Fail;
+    if (!isAtFault(first.verdict) || (!excusable && !mayDisagree))
+        return first;
+    CheckResult best = first;
+    for (const VariantPlan &plan : followThroughPlans(group)) {
+        CheckResult result = runOn(check, variant(plan, group));
+        if (rank(result.verdict) > rank(best.verdict))
+            best = std::move(result);
+        if (best.verdict == Verdict::Pass)
+            break;
+    }
+    if (excusable)
+        return best;
+    if (best.verdict == Verdict::Pass)
+        first.diagnosis =
+            "The integrator is right with other emitters: yours and it do not agree on "
+            "which of them divides the radiance by the density.";
+    return first;
+}
+
+std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
+                                               const std::vector<const Check *> &checks,
+                                               const std::function<void()> &checkDone) {
+    std::vector<CheckResult> results(checks.size());
+    const auto setAll = [&](Verdict verdict, const std::string &message) {
+        for (std::size_t i = 0; i < checks.size(); ++i) {
+            results[i] = withVerdict(*checks[i], verdict, message);
+            checkDone();
+        }
+        if (!checks.empty())
+            m_atFault.insert(group.id);
+        return results;
+    };
+
+    const std::string &lead = group.own.back();
+    if (!m_builder.hasUnit(lead))
+        return setAll(Verdict::Missing, lead + " was not handed in.");
+    for (const std::string &unit : group.own) {
+        if (const auto failure = m_builder.failureOf(unit))
+            return setAll(Verdict::BuildError, failure->describe());
+    }
+
+    const auto run = [&](std::size_t i) {
+        results[i] =
+            follow(*checks[i], group, runOn(*checks[i], variant(studentPlan(group), group)));
+        checkDone();
+    };
+    // The first one goes alone: code that never ends costs its group one time limit, not one each.
+    if (!checks.empty())
+        run(0);
+    const bool endless = !checks.empty() && results[0].verdict == Verdict::Timeout;
+    parallelFor(checks.size() - std::min<std::size_t>(checks.size(), 1), m_options.jobs,
+                [&](std::size_t i) {
+                    if (!endless)
+                        return run(i + 1);
+                    results[i + 1] = withVerdict(*checks[i + 1], Verdict::Timeout,
+                                                 "Not run: " + checks[0]->id + " did not end.");
+                    checkDone();
+                });
+    for (const CheckResult &result : results) {
+        if (isAtFault(result.verdict))
+            m_atFault.insert(group.id);
+    }
+    return results;
+}
+
+} // namespace grader

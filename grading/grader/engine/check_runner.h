@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/engine/engine.h>
+#include <grader/engine/groups.h>
+
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+/// Runs the checks of one hand-in, group by group.
+class CheckRunner {
+public:
+    /// \param referenceProbe  our own complete probe
+    CheckRunner(const Sandbox &sandbox, const EngineOptions &options,
+                std::filesystem::path referenceProbe, VariantBuilder &builder,
+                const std::string &submissionDigest);
+
+    /// Runs `checks`, all of one group, and remembers whether the group is at fault, for the groups
+    /// that stand on it.
+    std::vector<CheckResult> runGroup(const Group &group, const std::vector<const Check *> &checks,
+                                      const std::function<void()> &checkDone);
+
+    /// Wall seconds that probes have run.
+    double sampleSeconds() const { return m_sampleSeconds; }
+
+private:
+    CheckResult runOn(const Check &check, const Variant &variant);
+    CheckResult follow(const Check &check, const Group &group, CheckResult first);
+    const Variant &variant(const VariantPlan &plan, const Group &group);
+    bool upstreamAtFault(const Group &group) const;
+
+    const Sandbox &m_sandbox;
+    const EngineOptions &m_options;
+    std::filesystem::path m_referenceProbe;
+    VariantBuilder &m_builder;
+    std::string m_digest;
+    std::map<std::string, Variant> m_variants; ///< by group and plan name
+    std::mutex m_mutex;                        ///< of m_variants
+    std::set<std::string> m_atFault;           ///< groups with a check that failed
+    std::atomic<double> m_sampleSeconds{0};
+};
+
+} // namespace grader

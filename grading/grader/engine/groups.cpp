@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "groups.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace grader {
+
+namespace {
+
+/// Of Assignment 1: not judged, but used where it was handed in.
+const std::vector<std::string> kGivenUnits = {"pointlight.cpp", "direct_whitted.cpp"};
+
+constexpr char kSceneUnit[] = "scene.cpp";
+
+std::set<std::string> upstreamUnits(const Group &group) {
+    std::set<std::string> units;
+    for (const std::string &id : group.upstream) {
+        const std::vector<std::string> &own = findGroup(id).own;
+        units.insert(own.begin(), own.end());
+    }
+    for (const std::string &unit : group.own)
+        units.erase(unit);
+    return units;
+}
+
+VariantPlan planOf(const std::string &name, const Group &group, Origin upstream, Origin scene) {
+    VariantPlan plan{name, {}};
+    for (const std::string &unit : upstreamUnits(group))
+        plan.origins[unit] = unit == kSceneUnit ? scene : upstream;
+    for (const std::string &unit : group.own)
+        plan.origins[unit] = Origin::Student;
+    return plan;
+}
+
+} // namespace
+
+const std::vector<Group> &groupTable() {
+    static const std::vector<Group> groups = {
+        {"warp", {"warp.cpp"}, {}},
+        {"mesh", {"mesh.cpp"}, {"warp"}},
+        {"area", {"area.cpp"}, {"warp", "mesh"}},
+        {"environment", {"environment.cpp"}, {"warp"}},
+        {"scene", {kSceneUnit}, {"warp", "mesh", "area", "environment"}},
+        {"direct_ems", {"direct_ems.cpp"}, {"warp", "mesh", "area", "environment", "scene"}},
+        {"importance",
+         {kSceneUnit, "direct_ems.cpp"},
+         {"warp", "mesh", "area", "environment", "direct_ems"}},
+    };
+    return groups;
+}
+
+const Group &findGroup(const std::string &id) {
+    const std::vector<Group> &groups = groupTable();
+    const auto found = std::find_if(groups.begin(), groups.end(),
+                                    [&](const Group &group) { return group.id == id; });
+    if (found == groups.end())
+        throw std::invalid_argument("findGroup: no group is called \"" + id + "\"");
+    return *found;
+}
+
+VariantPlan studentPlan(const Group &group) {
+    VariantPlan plan = planOf("student", group, Origin::Student, Origin::Student);
+    for (const std::string &unit : kGivenUnits)
+        plan.origins[unit] = Origin::Student;
+    return plan;
+}
+
+std::vector<VariantPlan> followThroughPlans(const Group &group) {
+    const std::set<std::string> units = upstreamUnits(group);
+    if (units.empty())
+        return {};
+    const bool samplesEmitters = units.count("area.cpp") != 0;
+    const bool usesScene = units.count(kSceneUnit) != 0;
+    std::vector<VariantPlan> plans;
+    for (const Origin scene : {Origin::Student, Origin::Starter}) {
+        if (scene == Origin::Starter && !usesScene)
+            continue;
+        const std::string sceneName = scene == Origin::Starter ? ", the base's Scene" : "";
+        plans.push_back(planOf("our upstream" + sceneName, group, Origin::Reference, scene));
+        if (samplesEmitters)
+            plans.push_back(planOf("our upstream, samples not divided by the density" + sceneName,
+                                   group, Origin::ReferenceValue, scene));
+    }
+    return plans;
+}
+
+} // namespace grader

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/build/variant_builder.h>
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+/// The files that a set of checks judges, and what they stand on.
+struct Group {
+    std::string id;
+    std::vector<std::string> own;      ///< the files that are judged
+    std::vector<std::string> upstream; ///< groups whose code they call
+};
+
+/// In an order in which every group comes after its upstream.
+const std::vector<Group> &groupTable();
+
+/// \throws std::invalid_argument  if there is no such group
+const Group &findGroup(const std::string &id);
+
+/// The hand-in as it is: its own files for the group and everything upstream.
+VariantPlan studentPlan(const Group &group);
+
+/// The group's own files over our upstream: what tells whether a failure is the group's or was
+/// charged upstream already. One per convention of Emitter::sample and, where Scene is upstream,
+/// with the hand-in's Scene and with the starter's; most faithful first.
+std::vector<VariantPlan> followThroughPlans(const Group &group);
+
+} // namespace grader
