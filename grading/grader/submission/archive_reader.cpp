@@ -7,8 +7,6 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
-#include <locale.h>
-
 #include <algorithm>
 #include <array>
 #include <clocale>

@@ -67,10 +67,10 @@ constexpr std::array kClutterExtensions{
     SuffixRow{".swp", "editor's swap file"},
 };
 
-constexpr std::array<const char *, 22> kCopyWords{
-    "copy",   "copia",   "copie", "old",        "viejo",  "vieja", "antiguo",  "original",
-    "orig",   "backup",  "bak",   "bkp",        "backup", "prev",  "anterior", "previous",
-    "previo", "antigua", "base",  "deprecated", "nousar", "unused"};
+constexpr std::array kCopyWords{"copy",   "copia",    "copie",      "old",      "viejo",
+                                "vieja",  "antiguo",  "antigua",    "original", "orig",
+                                "backup", "bak",      "bkp",        "prev",     "previous",
+                                "previo", "anterior", "deprecated", "nousar",   "unused"};
 
 constexpr std::string_view kSeparators = "_- .(";
 

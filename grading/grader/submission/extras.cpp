@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace grader {
 
@@ -91,10 +92,12 @@ void ExtraSorting::ignoreCopies() {
         }
         // `mesh_tools.cpp` is named like a classmate's `mesh_NAME.cpp`: what it defines decides.
         const auto base = findBaseName(copy->original + ".cpp");
-        const bool originalThere = base && m_submission.find(FileRole::Source, base->name);
-        const bool definesNothingElse = m_scans[file].registeredTypes.count(copy->original) > 0;
-        if (copy->certain || definesNothingElse || (!originalThere && base) ||
-            findSharing(*file, FileRole::Source) != nullptr) {
+        const bool comparable = base && m_submission.find(FileRole::Source, base->name) != nullptr;
+        const std::set<std::string> &types = m_scans[file].registeredTypes;
+        const bool shares =
+            types.count(copy->original) > 0 || findSharing(*file, FileRole::Source) != nullptr;
+        const bool hasOwnType = !types.empty() && !shares;
+        if (shares || (!hasOwnType && (copy->certain || (base && !comparable)))) {
             ignoreCopy(*file, *copy);
         } else {
             file->reason = "a further source: named like a copy, but it defines nothing twice";

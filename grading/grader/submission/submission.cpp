@@ -51,17 +51,33 @@ std::string baseName(const fs::path &path, bool folder) {
     return decoded;
 }
 
+/// What the folders and archives within a hand-in say of its members; the first that says anything.
+NamedMembers membersWithin(const Submission &submission) {
+    for (const SubmittedFile &file : submission.files) {
+        for (const std::string &folder : splitPath(file.path).folders) {
+            NamedMembers named =
+                parseMembers(isArchiveName(folder) ? splitPath(folder).stem : folder);
+            if (named.assignment == "p2") {
+                return named;
+            }
+        }
+    }
+    return {};
+}
+
 /// Members from the name of the hand-in, else from an archive or folder within it.
 void findMembers(Submission &submission) {
     NamedMembers named = parseMembers(submission.name);
+    const NamedMembers within = membersWithin(submission);
     if (named.members.empty()) {
-        for (const SubmittedFile &file : submission.files) {
-            for (const std::string &folder : splitPath(file.path).folders) {
-                if (named.members.empty()) {
-                    named = parseMembers(isArchiveName(folder) ? splitPath(folder).stem : folder);
-                }
-            }
-        }
+        named = within;
+    } else if (!within.members.empty() &&
+               !std::is_permutation(named.members.begin(), named.members.end(),
+                                    within.members.begin(), within.members.end())) {
+        submission.notes.push_back(
+            {Note::Level::Human, "",
+             fmt::format("The hand-in is named for {}, a folder in it for {}: whose is it?",
+                         fmt::join(named.members, ", "), fmt::join(within.members, ", "))});
     }
     submission.members = named.members;
     if (named.members.empty()) {

@@ -35,7 +35,8 @@ struct Submission {
     std::vector<SubmittedFile> files;
     std::vector<Note> notes; ///< everything odd, ambiguous or left out
 
-    const SubmittedFile *find(FileRole role, const std::string &name) const;
+    /// The file of this role and `name`, or null.
+    const SubmittedFile *find(FileRole role, const std::string &wanted) const;
 };
 
 /// Reads a hand-in.

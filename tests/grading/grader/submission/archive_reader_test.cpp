@@ -80,13 +80,13 @@ TEST(HostileEntries, ThatAreLinksOrDevicesAreRefused) {
 }
 
 TEST(HostileArchives, ThatAreBombsAreRefused) {
-    const std::string zeros = makeZip({{"figures/a.exr", std::string(40U << 20U, '\0')}});
+    const std::string zeros = makeZip({{"figures/a.exr", std::string(16U << 20U, '\0')}});
     EXPECT_LT(zeros.size(), 1U << 20U);
     const std::string error = messageOf([&] { readBytes(zeros); });
     EXPECT_NE(error.find("more than 200 times its size, at 'figures/a.exr'"), std::string::npos)
         << error;
     // In a folder that is left out, and in an archive within, it is one too.
-    const Files hidden{{"build/a.o", std::string(40U << 20U, '\0')}};
+    const Files hidden{{"build/a.o", std::string(16U << 20U, '\0')}};
     EXPECT_NE(messageOf([&] { readBytes(makeZip(hidden)); }).find("200 times"), std::string::npos);
     EXPECT_NE(messageOf([&] {
                   readZip({{"inner.zip", zeros}});
@@ -102,11 +102,6 @@ TEST(HostileArchives, WithMoreFilesThanAllowedAreRefusedAtOnce) {
     const std::string zip = makeZip(files);
     const auto start = std::chrono::steady_clock::now();
     EXPECT_NE(messageOf([&] { readBytes(zip); }).find("more than 2000 files"), std::string::npos);
-    for (auto &[name, content] : files) {
-        name = "build/" + name;
-    }
-    EXPECT_NE(messageOf([&] { readZip(files); }).find("more than 40000 entries"),
-              std::string::npos);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
@@ -119,6 +114,13 @@ TEST(Limits, HoldForRealBytes) {
     EXPECT_NE(submission.find(FileRole::Source, "warp.cpp"), nullptr);
     EXPECT_TRUE(hasNote(submission, Note::Level::Human, "is larger than"));
 
+    ReadLimits entries;
+    entries.entries = 2;
+    const Files built{{"build/a.o", ""}, {"build/b.o", ""}, {"build/c.o", ""}};
+    EXPECT_NE(messageOf([&] {
+                  readBytes(makeZip(built), "p2_1_2.zip", entries);
+              }).find("more than 2 entries"),
+              std::string::npos);
     ReadLimits total;
     total.totalBytes = 1000;
     EXPECT_NE(messageOf([&] { readBytes(makeZip(files), "p2_1_2.zip", total); }).find("unpacks"),
@@ -177,6 +179,10 @@ TEST(EncryptedArchives, AreNamedAsSuch) {
     const std::string zip = withZipFlag(makeZip({{"warp.cpp", kWarp}}), 1);
     const std::string error = messageOf([&] { readBytes(zip); });
     EXPECT_NE(error.find("encrypted"), std::string::npos) << error;
+
+    const Submission partly = readZip({{"area.cpp", kWarp}, {"inner.zip", zip}});
+    EXPECT_NE(partly.find(FileRole::Source, "area.cpp"), nullptr);
+    EXPECT_TRUE(hasNote(partly, Note::Level::Human, "encrypted"));
 }
 
 TEST(Names, InEachEncodingAreRead) {

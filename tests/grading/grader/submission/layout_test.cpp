@@ -99,11 +99,15 @@ TEST(Layout, LeavesCopiesOut) {
 }
 
 TEST(Layout, KeepsFurtherSourcesThatOnlyLookLikeCopies) {
-    const Submission submission = readZip({{"src/warp.cpp", kWarp},
-                                           {"src/warp_tools.cpp", "float Tools::half() {}"},
-                                           {"src/light_tree.cpp", "int LightTree::size() {}"},
-                                           {"src/threshold.cpp", "int x;"}});
-    for (const char *name : {"src/warp_tools.cpp", "src/light_tree.cpp", "src/threshold.cpp"}) {
+    const Submission submission =
+        readZip({{"src/warp.cpp", kWarp},
+                 {"src/warp_tools.cpp", "float Tools::half() {}"},
+                 {"src/light_tree.cpp", "int LightTree::size() {}"},
+                 {"src/threshold.cpp", "int x;"},
+                 {"src/base_tools.cpp", "int y;"},
+                 {"src/depth_field.cpp", "NORI_REGISTER_CLASS(Field, \"depth_field\");"}});
+    for (const char *name : {"src/base_tools.cpp", "src/depth_field.cpp", "src/warp_tools.cpp",
+                             "src/light_tree.cpp", "src/threshold.cpp"}) {
         EXPECT_EQ(roleOf(submission, name), FileRole::Extra) << name;
     }
 }

@@ -32,6 +32,13 @@ TEST(Members, ThatTheReadmeDeniesNeedAPerson) {
     EXPECT_FALSE(noteFor("No numbers at all"));
 }
 
+TEST(Members, ThatAFolderWithinDeniesNeedAPerson) {
+    EXPECT_TRUE(hasNote(readZip({{"p2_333333/src/warp.cpp", "// w"}}), Note::Level::Human,
+                        "a folder in it for 333333"));
+    EXPECT_FALSE(hasNote(readZip({{"p2_222222_111111/src/warp.cpp", "// w"}}), Note::Level::Human,
+                         "a folder in it"));
+}
+
 TEST(Readme, IsFoundUnderOtherNames) {
     for (const char *name : {"README.txt", "Readme.TXT", "readme", "README.md", "LEEME.txt",
                              "léeme.txt", "LEAME.txt", "README.txt.txt", "read_me.txt"}) {
