@@ -41,7 +41,7 @@ public:
     const std::filesystem::path &path() const { return m_path; }
 
     std::filesystem::path write(const std::string &name, const std::string &bytes) const {
-        const std::filesystem::path path = m_path / name;
+        std::filesystem::path path = m_path / name;
         std::filesystem::create_directories(path.parent_path());
         std::ofstream(path, std::ios::binary) << bytes;
         return path;
