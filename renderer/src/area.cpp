@@ -80,6 +80,7 @@ public:
         return m_scale * sum / static_cast<float>(kCells * kCells);
     }
 
+    // NOLINTNEXTLINE(modernize-use-override): see above
     Color3f power() const {
         return M_PI / m_mesh->pdf(Point3f()) * radiance();
     }

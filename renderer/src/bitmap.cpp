@@ -52,7 +52,7 @@ std::string findChannel(const Imf::ChannelList &channels, const std::string &sho
                         const std::string &longName) {
     std::string found;
     for (auto it = channels.begin(); it != channels.end(); ++it) {
-        const std::string name = it.name();
+        std::string name = it.name();
         const size_t dot = name.find_last_of('.');
         const std::string last = toLower(dot == std::string::npos ? name : name.substr(dot + 1));
         if (last != shortName && last != longName)

@@ -4,9 +4,8 @@
 #include <jpeglib.h>
 #include <png.h>
 
-#include <setjmp.h>
-
 #include <cerrno>
+#include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>

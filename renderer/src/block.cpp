@@ -130,10 +130,7 @@ BlockGenerator::BlockGenerator(const Vector2i &size, int blockSize)
     : m_numBlocks((size.x() + blockSize - 1) / blockSize, (size.y() + blockSize - 1) / blockSize),
       m_size(size),
       m_blockSize(blockSize),
-      m_numSteps(1),
-      m_blocksLeft(m_numBlocks.x() * m_numBlocks.y()),
-      m_stepsLeft(1),
-      m_direction(ERight) {
+      m_blocksLeft(m_numBlocks.x() * m_numBlocks.y()) {
     m_block = Point2i(m_numBlocks.x() / 2, m_numBlocks.y() / 2);
 }
 

@@ -201,6 +201,7 @@ public:
     }
 
     /// Through a disk of radius 1 from all directions; times the squared radius of the scene.
+    // NOLINTNEXTLINE(modernize-use-override): see above
     Color3f power() const {
         return 4.0f * M_PI * M_PI * radiance();
     }

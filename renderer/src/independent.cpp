@@ -19,8 +19,9 @@ public:
     std::unique_ptr<Sampler> clone() const override { return std::make_unique<Independent>(*this); }
 
     void prepare(const ImageBlock &block) override {
-        m_random.seed(static_cast<uint64_t>(block.getOffset().x() + m_seed),
-                      static_cast<uint64_t>(block.getOffset().y() + m_seed));
+        const Point2i &offset = block.getOffset();
+        m_random.seed(static_cast<uint64_t>(int64_t{offset.x()} + m_seed),
+                      static_cast<uint64_t>(int64_t{offset.y()} + m_seed));
     }
 
     void generate() override {}

@@ -35,6 +35,7 @@ public:
     // These three are no overrides: submissions add pure virtual functions of these names.
     Color3f radiance() const { return m_radiance; }
 
+    // NOLINTNEXTLINE(modernize-use-override): see above
     Color3f power() const { return 4.0f * M_PI * m_radiance; }
 
     float getLuminance() const { return m_radiance.getLuminance(); }

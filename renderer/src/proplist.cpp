@@ -24,7 +24,8 @@ const T *PropertyList::find(const std::string &name) const {
     const auto it = m_properties.find(name);
     if (it == m_properties.end())
         return nullptr;
-    if (const T *value = std::get_if<T>(&it->second))
+    const T *value = std::get_if<T>(&it->second);
+    if (value != nullptr)
         return value;
     throw NoriException("Property '%s' has the wrong type! (expected <%s>, detected <%s>)", name,
                         kTypeNames[Property(T()).index()], kTypeNames[it->second.index()]);

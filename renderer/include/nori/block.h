@@ -94,10 +94,10 @@ private:
     Vector2i m_numBlocks;
     Vector2i m_size;
     int m_blockSize;
-    int m_numSteps;
+    int m_numSteps = 1;
     int m_blocksLeft;
-    int m_stepsLeft;
-    int m_direction;
+    int m_stepsLeft = 1;
+    int m_direction = ERight;
     std::mutex m_mutex;
 };
 

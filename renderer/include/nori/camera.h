@@ -24,7 +24,7 @@ public:
 
 protected:
     Vector2i m_outputSize;
-    ReconstructionFilter *m_rfilter;
+    ReconstructionFilter *m_rfilter = nullptr; ///< owned
 };
 
 NORI_NAMESPACE_END

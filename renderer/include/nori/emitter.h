@@ -14,18 +14,19 @@ enum class EmitterType {
     EMITTER_UNKNOWN
 };
 
-/// Question to an emitter: which light does `ref` get from `p`?
+/// Question to an emitter: which light does `ref` get from `p`? What Nori leaves uninitialised is
+/// null or 0 here, so that forgetting it is reproducible.
 struct EmitterQueryRecord {
-    const Emitter *emitter; ///< the light
-    Point3f ref;            ///< the point that is lit; set by the caller
-    Point3f p;              ///< the point on the light
-    Normal3f n;             ///< its normal
-    Point2f uv;             ///< its texture coordinates
-    float pdf;              ///< density of wi as seen from ref [1/sr]; 1 for point lights
-    Vector3f wi;            ///< unit vector from ref to p
-    float dist;             ///< distance from ref to p
+    const Emitter *emitter = nullptr; ///< the light
+    Point3f ref;                      ///< the point that is lit; set by the caller
+    Point3f p;                        ///< the point on the light
+    Normal3f n;                       ///< its normal
+    Point2f uv;                       ///< its texture coordinates
+    float pdf = 0.0f;                 ///< density of wi as seen from ref [1/sr]; 1 for point lights
+    Vector3f wi;                      ///< unit vector from ref to p
+    float dist = 0.0f;                ///< distance from ref to p
 
-    EmitterQueryRecord() : emitter(nullptr) {}
+    EmitterQueryRecord() = default;
 
     /// For Emitter::sample(), which fills in the rest.
     EmitterQueryRecord(const Point3f &ref_) : ref(ref_) {}
@@ -94,7 +95,7 @@ public:
 
 protected:
     Mesh *m_mesh = nullptr;
-    EmitterType m_type;
+    EmitterType m_type = EmitterType::EMITTER_UNKNOWN;
 };
 
 NORI_NAMESPACE_END

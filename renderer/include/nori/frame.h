@@ -11,7 +11,7 @@ struct Frame {
     Vector3f s, t; ///< tangents
     Normal3f n;    ///< normal
 
-    Frame() {}
+    Frame() = default;
 
     Frame(const Vector3f &s_, const Vector3f &t_, const Normal3f &n_) : s(s_), t(t_), n(n_) {}
 

@@ -8,8 +8,6 @@ NORI_NAMESPACE_BEGIN
 /// Estimates the radiance that arrives along a ray.
 class Integrator : public NoriObject {
 public:
-    virtual ~Integrator() {}
-
     /// Called once before rendering.
     virtual void preprocess(const Scene *scene) { (void)scene; }
 

@@ -14,14 +14,12 @@ NORI_NAMESPACE_BEGIN
 
 /// What a ray has hit.
 struct Intersection {
-    Point3f p;        ///< position
-    float t;          ///< distance along the ray in units of its direction; unset until a query
-    Point2f uv;       ///< texture coordinates, or barycentric ones if the mesh has none
-    Frame shFrame;    ///< from interpolated vertex normals, if there are any
-    Frame geoFrame;   ///< from the face's winding
-    const Mesh *mesh; ///< null: nothing was hit
-
-    Intersection() : mesh(nullptr) {}
+    Point3f p;                  ///< position
+    float t = 0.0f;             ///< distance along the ray in units of its direction
+    Point2f uv;                 ///< texture coordinates, or barycentric ones if the mesh has none
+    Frame shFrame;              ///< from interpolated vertex normals, if there are any
+    Frame geoFrame;             ///< from the face's winding
+    const Mesh *mesh = nullptr; ///< null: nothing was hit
 
     /// World to shading coordinates.
     Vector3f toLocal(const Vector3f &d) const { return shFrame.toLocal(d); }
@@ -35,10 +33,10 @@ struct Intersection {
 /// Triangle mesh with one BSDF and at most one emitter.
 class Mesh : public NoriObject {
 public:
-    virtual ~Mesh();
+    ~Mesh() override;
 
     /// Gives a mesh without BSDF a diffuse one, and prepares samplePosition().
-    virtual void activate() override;
+    void activate() override;
 
     n_UINT getTriangleCount() const { return static_cast<n_UINT>(m_F.cols()); }
 
@@ -91,7 +89,7 @@ public:
     const BSDF *getBSDF() const { return m_bsdf; }
 
     /// A BSDF or an emitter, one of each.
-    virtual void addChild(NoriObject *child, const std::string &name = "none") override;
+    void addChild(NoriObject *child, const std::string &name = "none") override;
 
     const std::string &getName() const { return m_name; }
 

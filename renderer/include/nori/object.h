@@ -29,7 +29,7 @@ public:
         EClassTypeCount
     };
 
-    virtual ~NoriObject() {}
+    virtual ~NoriObject() = default;
 
     virtual EClassType getClassType() const = 0;
 

@@ -16,7 +16,7 @@ NORI_NAMESPACE_BEGIN
 /// Both throw if it has another type: an `<integer>` does not satisfy getFloat().
 class PropertyList {
 public:
-    PropertyList() {}
+    PropertyList() = default;
 
     void setBoolean(const std::string &name, const bool &value);
     bool getBoolean(const std::string &name) const;

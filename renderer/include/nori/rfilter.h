@@ -20,7 +20,7 @@ public:
     EClassType getClassType() const override { return EReconstructionFilter; }
 
 protected:
-    float m_radius;
+    float m_radius = 0.0f;
 };
 
 NORI_NAMESPACE_END

@@ -10,8 +10,6 @@ NORI_NAMESPACE_BEGIN
 /// Source of random numbers in [0, 1), one per thread.
 class Sampler : public NoriObject {
 public:
-    virtual ~Sampler() {}
-
     /// A sampler of the same kind and settings, for another thread.
     virtual std::unique_ptr<Sampler> clone() const = 0;
 
@@ -33,7 +31,7 @@ public:
     EClassType getClassType() const override { return ESampler; }
 
 protected:
-    size_t m_sampleCount;
+    size_t m_sampleCount = 0;
 };
 
 NORI_NAMESPACE_END

@@ -10,7 +10,7 @@ NORI_NAMESPACE_BEGIN
 class Scene : public NoriObject {
 public:
     Scene(const PropertyList &);
-    virtual ~Scene();
+    ~Scene() override;
 
     const Accel *getAccel() const { return m_accel; }
 

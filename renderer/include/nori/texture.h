@@ -8,10 +8,6 @@ NORI_NAMESPACE_BEGIN
 /// A colour that varies over a surface.
 class Texture : public NoriObject {
 public:
-    Texture() {}
-
-    virtual ~Texture() {}
-
     /// Colour at the texture coordinates `uv`.
     virtual Color3f eval(const Point2f &uv) const = 0;
 
