@@ -3,13 +3,16 @@
 
 # Core: no NORI_REGISTER_CLASS, linked as a static library.
 set(NORI_CORE_SOURCES
+    accel.cpp
     bitmap.cpp
     bitmap_png.cpp
     block.cpp
     common.cpp
     mesh.cpp
     object.cpp
+    parser.cpp
     proplist.cpp
+    scene_text.cpp
     warp.cpp)
 
 # Plugins: each registers itself under the `type` its file is named after.
@@ -26,6 +29,7 @@ set(NORI_PLUGIN_SOURCES
     independent.cpp
     mirror.cpp
     normals.cpp
+    obj.cpp
     perspective.cpp
     pointlight.cpp
     rfilter.cpp
