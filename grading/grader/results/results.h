@@ -31,6 +31,9 @@ enum class Severity {
     Visible, ///< costs by effect
 };
 
+/// `blemish`, `latent`, `visible`.
+const char *severityName(Severity severity);
+
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The outcome of one check. Numbers that do not apply are NaN (null in JSON).
@@ -60,10 +63,19 @@ struct ItemResult {
 
 /// Something a person should know about a hand-in; it never costs a point by itself.
 struct Note {
-    enum class Level { Info, Odd, Human };
+    enum class Level { Info, Odd, Human }; ///< levelName(): `info`, `odd`, `human`
     Level level = Level::Info;
     std::string file; ///< as in the hand-in; may be empty
     std::string text;
+};
+
+const char *levelName(Note::Level level);
+
+/// What a file of the hand-in was used for.
+struct FileUse {
+    std::string path;   ///< as in the hand-in
+    std::string use;    ///< `source`, `extra`, `header`, `readme`, `figure`, `ignored`
+    std::string reason; ///< why
 };
 
 /// Seconds of wall clock, by phase.
@@ -81,7 +93,29 @@ struct SubmissionResult {
     std::string seed;    ///< 32 hexadecimal digits
     std::vector<ItemResult> items;
     std::vector<Note> notes;
+    std::vector<FileUse> files;
     Timing timing;
 };
+
+/// What all marks of a run rest on.
+struct Provenance {
+    std::string toolVersion;
+    std::string rubricId;
+    std::string rubricDigest; ///< SHA-256 of the rubric's file
+    std::string baseDigest;   ///< SHA-256 of the code that hand-ins are laid over
+    std::string compiler;     ///< first line of `g++ --version`
+};
+
+/// One run of the grader.
+struct RunResult {
+    Provenance provenance;
+    std::vector<SubmissionResult> submissions;
+};
+
+/// True if someone has to look at it: a check or a note says so.
+bool needsHuman(const SubmissionResult &result);
+
+/// True if a part could not be tested through our own fault: the marks are not final.
+bool hasInfraFailure(const SubmissionResult &result);
 
 } // namespace grader

@@ -5,6 +5,7 @@
 #include <grader/sandbox/box.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,21 +15,39 @@ namespace grader {
 struct RubricCheck {
     std::string id;
     Severity severity = Severity::Visible;
-    double weight = 1;
-    double tolerance = 0; ///< effect up to which nothing is lost
-    double gross = 0;     ///< effect from which all is lost; log-linear in between
+    double weight = 1;     ///< relative to the other visible checks of the item, >= 0
+    double tolerance = 0;  ///< effect up to which nothing is lost
+    double gross = 0;      ///< effect from which all is lost; log-linear in between
+    bool required = false; ///< the item keeps no larger a fraction than this check does
+};
+
+/// What a rubric says of one check; the rest is RubricCheck's and the check table's default.
+struct CheckOverride {
+    std::string id;
+    std::string where; ///< `file:line:column` of its id
+    std::optional<Severity> severity;
+    std::optional<double> weight;
+    std::optional<double> tolerance;
+    std::optional<double> gross;
+    std::optional<bool> required;
 };
 
 struct RubricItem {
     std::string id;
-    double points = 0;
+    double points = 0; ///< a whole number of hundredths
     bool extra = false;
     std::string title;
-    double latentFraction = 0.25; ///< most that latent defects may cost of this item
-    std::vector<RubricCheck> checks;
+    double latentFraction = 0.25;    ///< most that latent defects may cost of this item
+    std::vector<RubricCheck> checks; ///< filled in by resolveChecks(), in the table's order
+    std::vector<CheckOverride> overrides;
+    std::string where; ///< `file:line:column` of its id
 };
 
-enum class ExtrasPolicy { FillToCap, OverCap, Ignore };
+enum class ExtrasPolicy {
+    FillToCap, ///< extras make up for lost mandatory points, up to the cap
+    OverCap,   ///< extras count on top of the cap
+    Ignore,    ///< extras are tested but give no points
+};
 
 /// A rubric as read from TOML.
 struct Rubric {
@@ -41,8 +60,34 @@ struct Rubric {
     std::string digest; ///< SHA-256 of the file
 };
 
+/// Reads the file as far as it can be read without the check table: see resolveChecks().
 /// \throws GraderError  with file:line:column and the nearest known key, on anything unknown,
 ///                      missing, repeated or out of range
 Rubric readRubric(const std::filesystem::path &file);
+
+/// Same, from text. \param name  of the file, for messages
+Rubric parseRubric(const std::string &text, const std::string &name);
+
+/// What a rubric has to know of a row of the check table.
+struct KnownCheck {
+    std::string id;
+    std::string item;
+    double tolerance = 0;
+    double gross = 0;
+};
+
+/// Gives each item the checks of the table that name it, with the rubric's changes. An item that is
+/// not in the rubric is not graded, and its checks are not run.
+/// \throws GraderError  with file:line:column, on a check that is not in the table or belongs to
+///                      another item, bounds that cross, and an item without a check
+void resolveChecks(Rubric &rubric, const std::vector<KnownCheck> &table);
+
+/// How a rubric adds up.
+struct RubricSummary {
+    std::string text; ///< `mandatory 90, extras 30, cap 100, extras fill to the cap`
+    std::vector<std::string> warnings; ///< what its author may not have meant
+};
+
+RubricSummary summarize(const Rubric &rubric);
 
 } // namespace grader

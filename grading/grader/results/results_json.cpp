@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "results_json.h"
+
+#include <grader/error.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+#include "safe_text.h"
+
+namespace grader {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json checkJson(const CheckResult &check) {
+    return {{"id", check.id},
+            {"verdict", verdictName(check.verdict)},
+            {"severity", severityName(check.severity)},
+            {"score", number(check.score)},
+            {"effect", number(check.effect)},
+            {"mde", number(check.mde)},
+            {"p", number(check.p)},
+            {"message", check.message},
+            {"diagnosis", check.diagnosis},
+            {"variant", check.variant}};
+}
+
+Json itemJson(const ItemResult &item, bool marked) {
+    Json checks = Json::array();
+    for (const CheckResult &check : item.checks)
+        checks.push_back(checkJson(check));
+    return {{"id", item.id},
+            {"title", item.title},
+            {"points", number(marked ? item.points : kNoNumber)},
+            {"max", number(item.max)},
+            {"extra", item.extra},
+            {"verdict", verdictName(item.verdict)},
+            {"reason", item.reason},
+            {"checks", std::move(checks)}};
+}
+
+Json timesJson(const Timing &timing) {
+    return {{"ingest", number(timing.ingest)}, {"compile", number(timing.compile)},
+            {"link", number(timing.link)},     {"sample", number(timing.sample)},
+            {"judge", number(timing.judge)},   {"total", number(timing.total)}};
+}
+
+Json submissionJson(const SubmissionResult &result) {
+    Json items = Json::array();
+    for (const ItemResult &item : result.items)
+        items.push_back(itemJson(item, result.marked));
+    Json notes = Json::array();
+    for (const Note &note : result.notes)
+        notes.push_back(
+            {{"level", levelName(note.level)}, {"file", note.file}, {"text", note.text}});
+    Json files = Json::array();
+    for (const FileUse &file : result.files)
+        files.push_back({{"path", file.path}, {"use", file.use}, {"reason", file.reason}});
+    return {{"name", result.name},
+            {"members", result.members},
+            {"total", number(result.marked ? result.total : kNoNumber)},
+            {"cap", number(result.cap)},
+            {"sandbox", result.sandbox},
+            {"seed", result.seed},
+            {"final", !needsHuman(result) && !hasInfraFailure(result)},
+            {"items", std::move(items)},
+            {"notes", std::move(notes)},
+            {"files", std::move(files)},
+            {"times", timesJson(result.timing)}};
+}
+
+} // namespace
+
+std::string resultsJson(const RunResult &run) {
+    Json submissions = Json::array();
+    for (const SubmissionResult &result : run.submissions)
+        submissions.push_back(submissionJson(result));
+    const Provenance &from = run.provenance;
+    const Json document = {{"schema", kSchema},
+                           {"tool", {{"name", "norigrade"}, {"version", from.toolVersion}}},
+                           {"rubric", {{"id", from.rubricId}, {"sha256", from.rubricDigest}}},
+                           {"base", {{"sha256", from.baseDigest}}},
+                           {"compiler", from.compiler},
+                           {"submissions", std::move(submissions)}};
+    // `replace`: names and messages come from hand-ins and may not be UTF-8.
+    return escapeInvisible(document.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+void writeWhole(const std::filesystem::path &file, const std::string &text) {
+    const std::filesystem::path temporary = file.string() + ".part";
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    std::error_code error;
+    if (stream)
+        std::filesystem::rename(temporary, file, error);
+    if (!stream || error) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw GraderError(fmt::format("{}: cannot write: {}", file.string(),
+                                      error ? error.message() : "is the disk full?"));
+    }
+}
+
+void writeResults(const RunResult &run, const std::filesystem::path &file) {
+    writeWhole(file, resultsJson(run));
+}
+
+} // namespace grader

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/results/results.h>
+
+#include <filesystem>
+#include <string>
+
+namespace grader {
+
+/// The run as JSON, ending in a line end; its shape is results.schema.json beside this file.
+/// Numbers that do not apply, and points where no marks are given, are null. Everything but the
+/// objects `times` depends only on the hand-ins, the rubric, the base, the compiler and the seed.
+std::string resultsJson(const RunResult &run);
+
+/// Writes resultsJson() below a temporary name, then renames: no reader sees half a file.
+/// \throws GraderError  if it cannot be written
+void writeResults(const RunResult &run, const std::filesystem::path &file);
+
+/// As writeResults(), for any text.
+void writeWhole(const std::filesystem::path &file, const std::string &text);
+
+} // namespace grader

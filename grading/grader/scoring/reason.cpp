@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "reason.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace grader {
+
+namespace {
+
+bool isDefect(Verdict verdict) {
+    return verdict != Verdict::Pass && verdict != Verdict::Inconclusive &&
+           verdict != Verdict::Infra && verdict != Verdict::Human;
+}
+
+std::string sentence(const CheckResult &check) {
+    const std::string message = check.message.empty() ? check.id + " failed." : check.message;
+    return check.diagnosis.empty() ? message : message + " " + check.diagnosis;
+}
+
+std::size_t countIf(const ItemResult &result, bool (*matches)(const CheckResult &)) {
+    return static_cast<std::size_t>(
+        std::count_if(result.checks.begin(), result.checks.end(), matches));
+}
+
+bool costs(const CheckResult &check) {
+    return check.severity != Severity::Blemish && isDefect(check.verdict) && check.score < 1;
+}
+
+bool isRemark(const CheckResult &check) {
+    return isDefect(check.verdict) && !costs(check);
+}
+
+/// What a lost fraction of this check weighs; visible defects are told before latent ones.
+double importance(const RubricCheck &rule, const CheckResult &check) {
+    const double weight = rule.severity == Severity::Visible ? 1e6 : 1;
+    return (rule.required ? 2 : 1) * weight * (1 - check.score) * std::max(rule.weight, 1e-3);
+}
+
+std::string defects(const RubricItem &item, const ItemResult &result) {
+    std::size_t worst = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < result.checks.size(); ++i) {
+        if (costs(result.checks[i]) && importance(item.checks[i], result.checks[i]) > most) {
+            most = importance(item.checks[i], result.checks[i]);
+            worst = i;
+        }
+    }
+    const CheckResult &check = result.checks[worst];
+    std::string text = sentence(check);
+    if (check.severity == Severity::Latent)
+        text += " (No scene of the assignment shows this; it costs little.)";
+    std::size_t others = 0;
+    for (const CheckResult &other : result.checks)
+        others += costs(other) && other.message != check.message ? 1 : 0;
+    if (others > 0)
+        text += fmt::format(" And {} more.", others);
+    return text;
+}
+
+std::string plural(std::size_t count, const char *one, const char *many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+} // namespace
+
+std::string reasonFor(const RubricItem &item, const ItemResult &result) {
+    if (result.checks.empty())
+        return "Not tested: the rubric has no checks for it.";
+    if (countIf(result, costs) > 0)
+        return defects(item, result);
+
+    const auto first = [&](Verdict verdict) {
+        return std::find_if(result.checks.begin(), result.checks.end(),
+                            [=](const CheckResult &check) { return check.verdict == verdict; });
+    };
+    std::string text = "Right in everything that was tested.";
+    if (const auto human = first(Verdict::Human); human != result.checks.end())
+        text = "Someone has to look: " + sentence(*human);
+    else if (const auto infra = first(Verdict::Infra); infra != result.checks.end())
+        text = "Not tested, through no fault of the hand-in: " + sentence(*infra);
+    else if (const auto open = first(Verdict::Inconclusive); open != result.checks.end())
+        text = "Cannot be told, and so costs nothing: " + sentence(*open);
+    if (const std::size_t remarks = countIf(result, isRemark); remarks > 0)
+        text += fmt::format(" {}, which costs nothing.", plural(remarks, "remark", "remarks"));
+    return text;
+}
+
+} // namespace grader
