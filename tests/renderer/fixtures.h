@@ -70,6 +70,8 @@ public:
         std::filesystem::remove_all(m_path, ignored);
     }
 
+    TemporaryFolder(TemporaryFolder &&) = delete;
+    TemporaryFolder &operator=(TemporaryFolder &&) = delete;
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
