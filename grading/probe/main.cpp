@@ -14,7 +14,6 @@ namespace {
 // What the grader passes; see askProbe().
 constexpr int kQuestions = 3;
 constexpr int kAnswers = 4;
-constexpr int kDone = 5;
 
 struct Memory {
     char *data = nullptr;
@@ -96,7 +95,6 @@ int main() {
             _exit(2);
         _exit(1);
     }
-    const char done = 1;
     // Destructors and atexit handlers of the submission have nothing to add.
-    _exit(write(kDone, &done, 1) == 1 ? 0 : 1);
+    _exit(0);
 }

@@ -19,9 +19,10 @@ struct ProbeAnswer {
     bool complete() const;
 };
 
-/// Starts a probe in the box with sealed shared memory for questions and answers, waits for its
-/// end or its limits, kills it, and only then reads the answers. The executable takes no arguments:
-/// questions are on descriptor 3 (read-only memory), answers on 4, "done" is one byte on 5.
+/// Starts a probe in the box with sealed shared memory for questions (descriptor 3, read-only) and
+/// answers (4), waits for its end or its limits, sees to it that nothing of it is left, and only
+/// then reads the answers. What the probe prints, and how it ends, decides nothing.
+/// \throws GraderError  if memory or processes have run out
 ProbeAnswer askProbe(const Sandbox &sandbox, const std::filesystem::path &executable,
                      const protocol::RequestGroup &group, const BoxLimits &limits = {});
 

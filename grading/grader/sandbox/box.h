@@ -10,6 +10,15 @@
 
 namespace grader {
 
+/// Where this process may make control groups of its own, for memory and for process counts.
+struct CgroupPlaces {
+    std::filesystem::path memory; ///< empty: not writable
+    std::filesystem::path pids;
+    bool version2 = false; ///< of the kernel's interface
+
+    bool complete() const { return !memory.empty() && !pids.empty(); }
+};
+
 /// How strongly this machine can lock a process in (weakest first); see grading/README.md.
 enum class SandboxLevel { S0, S1, S2, S3 };
 const char *sandboxLevelName(SandboxLevel level);
@@ -21,7 +30,8 @@ struct BoxLimits {
     std::uint64_t fileBytes = std::uint64_t{64} << 20; ///< largest file it may write
     std::uint64_t logBytes = std::uint64_t{1}
                              << 20; ///< of stdout and stderr together, then it is killed
-    std::uint32_t processes = 64;
+    std::uint64_t temporaryBytes = std::uint64_t{256} << 20; ///< of its private /tmp
+    std::uint32_t processes = 64;                            ///< with threads
 };
 
 /// A host path that is visible in the box.
@@ -88,11 +98,13 @@ public:
     /// What was tried and found, one line per feature: what `norigrade doctor` prints.
     const std::vector<std::string> &findings() const { return m_findings; }
 
+    /// \throws GraderError  if the level is below S2: then nothing is run
     BoxOutcome run(const BoxSpec &spec) const;
 
 private:
     SandboxLevel m_level = SandboxLevel::S0;
     std::vector<std::string> m_findings;
+    CgroupPlaces m_cgroups;
 };
 
 } // namespace grader

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "cgroup.h"
+
+#include <grader/error.h>
+
+#include <fmt/core.h>
+
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <thread>
+
+namespace grader {
+
+namespace {
+
+using std::filesystem::path;
+
+constexpr char kRoot[] = "/sys/fs/cgroup";
+
+bool writeFile(const path &file, const std::string &text) {
+    std::ofstream stream(file);
+    stream << text;
+    stream.flush();
+    return static_cast<bool>(stream);
+}
+
+std::string readFile(const path &file) {
+    std::ifstream stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// True if groups can be made below `folder` that have the file `needed`.
+bool canMakeGroups(const path &folder, const char *needed) {
+    const path trial = folder / fmt::format("norigrade-trial-{}", ::getpid());
+    if (::mkdir(trial.c_str(), 0755) != 0)
+        return false;
+    const bool has = std::filesystem::exists(trial / needed);
+    ::rmdir(trial.c_str());
+    return has;
+}
+
+} // namespace
+
+CgroupPlaces findCgroupPlaces() {
+    CgroupPlaces places;
+    std::istringstream lines(readFile("/proc/self/cgroup"));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t first = line.find(':');
+        const std::size_t second = line.find(':', first + 1);
+        if (second == std::string::npos)
+            continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const std::string below = line.substr(second + 2);
+        if (controllers.empty()) {
+            const path folder = path(kRoot) / below;
+            // Only where an administrator has delegated the controllers to us.
+            writeFile(folder / "cgroup.subtree_control", "+memory +pids");
+            if (canMakeGroups(folder, "memory.max") && canMakeGroups(folder, "pids.max")) {
+                places = {folder, folder, true};
+                return places;
+            }
+            continue;
+        }
+        const path folder = path(kRoot) / controllers / below;
+        std::istringstream names(controllers);
+        for (std::string name; std::getline(names, name, ',');) {
+            if (name == "memory" && canMakeGroups(folder, "memory.limit_in_bytes"))
+                places.memory = folder;
+            if (name == "pids" && canMakeGroups(folder, "pids.max"))
+                places.pids = folder;
+        }
+    }
+    return places;
+}
+
+Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : m_version2(places.version2) {
+    static std::atomic<unsigned> counter{0};
+    const std::string name = fmt::format("norigrade-{}-{}", ::getpid(), counter++);
+    for (const path &place : std::set<path>{places.memory, places.pids}) {
+        m_folders.push_back(place / name);
+        if (::mkdir(m_folders.back().c_str(), 0755) != 0)
+            throw GraderError(fmt::format("{}: cannot be made", m_folders.back().string()));
+    }
+    for (const path &folder : m_folders) {
+        const std::string bytes = std::to_string(limits.memoryBytes);
+        const std::pair<const char *, std::string> settings[] = {
+            {"memory.limit_in_bytes", bytes},
+            {"memory.memsw.limit_in_bytes", bytes},
+            {"memory.max", bytes},
+            {"memory.swap.max", "0"},
+            // bubblewrap itself and the namespace's first process are counted, too.
+            {"pids.max", std::to_string(limits.processes + 3)}};
+        for (const auto &[file, value] : settings) {
+            if (std::filesystem::exists(folder / file))
+                writeFile(folder / file, value);
+        }
+    }
+}
+
+void Cgroup::add(pid_t process) {
+    for (const path &folder : m_folders) {
+        if (!writeFile(folder / "cgroup.procs", std::to_string(process)))
+            throw GraderError(fmt::format("{}: a process cannot be put in", folder.string()));
+    }
+}
+
+bool Cgroup::ranOutOfMemory() const {
+    for (const path &folder : m_folders) {
+        std::istringstream text(
+            readFile(folder / (m_version2 ? "memory.events" : "memory.oom_control")));
+        std::string key;
+        long count = 0;
+        while (text >> key >> count) {
+            if (key == "oom_kill" && count > 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+void Cgroup::killAll() {
+    constexpr int kTries = 500;
+    for (int i = 0; i < kTries; ++i) {
+        bool empty = true;
+        for (const path &folder : m_folders) {
+            std::istringstream text(readFile(folder / "cgroup.procs"));
+            for (pid_t process = 0; text >> process;) {
+                empty = false;
+                ::kill(process, SIGKILL);
+            }
+        }
+        if (empty)
+            return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+Cgroup::~Cgroup() {
+    killAll();
+    for (const path &folder : m_folders) {
+        // A group stays busy for a moment after its last process has gone.
+        for (int i = 0; i < 100 && ::rmdir(folder.c_str()) != 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+} // namespace grader

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/sandbox/box.h>
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+/// Tries to make a group below this process's own, per controller.
+CgroupPlaces findCgroupPlaces();
+
+/// Control groups of one box; removed with it, and whatever is in them is killed.
+class Cgroup {
+public:
+    /// \throws GraderError  if it cannot be made
+    Cgroup(const CgroupPlaces &places, const BoxLimits &limits);
+    ~Cgroup();
+    Cgroup(const Cgroup &) = delete;
+    Cgroup &operator=(const Cgroup &) = delete;
+
+    /// Puts a process in. \throws GraderError
+    void add(pid_t process);
+
+    /// True if the kernel has killed something in it for want of memory.
+    bool ranOutOfMemory() const;
+
+    /// Kills every process in it and waits until there is none.
+    void killAll();
+
+private:
+    std::vector<std::filesystem::path> m_folders;
+    bool m_version2;
+};
+
+} // namespace grader

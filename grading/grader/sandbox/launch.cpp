@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "launch.h"
+
+#include <grader/error.h>
+#include <grader/sandbox/cgroup.h>
+#include <grader/sandbox/seccomp_filter.h>
+
+#include <fmt/core.h>
+
+#include <fcntl.h>
+#include <grp.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace grader {
+
+namespace {
+
+constexpr char kBubblewrap[] = "/usr/bin/bwrap";
+constexpr uid_t kNobody = 65534;
+constexpr int kFirstDescriptor = 3; ///< BoxSpec::descriptors
+constexpr int kStatusFd = 20;
+constexpr int kFilterFd = 21;
+constexpr int kParkedFds = 100; ///< where descriptors wait before they get their numbers
+
+struct Pipe {
+    Descriptor read;
+    Descriptor write;
+};
+
+Pipe makePipe() {
+    std::array<int, 2> fds{};
+    if (::pipe2(fds.data(), O_CLOEXEC) != 0)
+        throw GraderError("no pipe can be made: too many files are open");
+    return {Descriptor(fds[0]), Descriptor(fds[1])};
+}
+
+/// Threads and processes of a user: RLIMIT_NPROC counts all of them.
+rlim_t processesOf(uid_t user) {
+    rlim_t count = 0;
+    std::error_code error;
+    for (const auto &entry : std::filesystem::directory_iterator("/proc", error)) {
+        struct stat status {};
+
+        if (::stat(entry.path().c_str(), &status) == 0 && status.st_uid == user &&
+            std::isdigit(static_cast<unsigned char>(entry.path().filename().string()[0])) != 0) {
+            for (const auto &task :
+                 std::filesystem::directory_iterator(entry.path() / "task", error)) {
+                (void)task;
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+// From here to exec only calls that are safe after fork() in a program with threads.
+
+[[noreturn]] void childFails(const char *what) {
+    const char *reason = ::strerror(errno);
+    for (const char *text : {"sandbox: ", what, ": ", reason, "\n"}) {
+        if (::write(STDERR_FILENO, text, std::strlen(text)) < 0)
+            break;
+    }
+    ::_exit(1);
+}
+
+struct ChildPlan {
+    char *const *argv;
+    const int *descriptors;
+    int descriptorCount;
+    int goFd;
+    int logFd;
+    int statusFd;
+    int filterFd;
+    bool asRoot;
+    rlim_t processes;
+    const BoxLimits *limits;
+};
+
+void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard, const char *what) {
+    const rlimit value{soft, hard};
+    if (::setrlimit(resource, &value) != 0)
+        childFails(what);
+}
+
+void setLimits(const ChildPlan &plan) {
+    const auto seconds = static_cast<rlim_t>((plan.limits->cpu + std::chrono::milliseconds(999)) /
+                                             std::chrono::seconds(1));
+    limit(RLIMIT_CPU, seconds, seconds + 1, "RLIMIT_CPU");
+    limit(RLIMIT_AS, plan.limits->memoryBytes, plan.limits->memoryBytes, "RLIMIT_AS");
+    limit(RLIMIT_FSIZE, plan.limits->fileBytes, plan.limits->fileBytes, "RLIMIT_FSIZE");
+    limit(RLIMIT_CORE, 0, 0, "RLIMIT_CORE");
+    limit(RLIMIT_NOFILE, 256, 256, "RLIMIT_NOFILE");
+    limit(RLIMIT_NPROC, plan.processes, plan.processes, "RLIMIT_NPROC");
+}
+
+void giveDescriptors(const ChildPlan &plan) {
+    // First out of the way of the final numbers, then into place.
+    int parked = kParkedFds;
+    const auto park = [&parked](int fd) {
+        if (::dup2(fd, parked) < 0)
+            childFails("dup2");
+        return parked++;
+    };
+    const int log = park(plan.logFd);
+    const int status = park(plan.statusFd);
+    const int filter = park(plan.filterFd);
+    const int firstOwn = parked;
+    for (int i = 0; i < plan.descriptorCount; ++i)
+        park(plan.descriptors[i]);
+    const int null = ::open("/dev/null", O_RDONLY);
+    if (null < 0)
+        childFails("/dev/null");
+    ::dup2(null, STDIN_FILENO);
+    ::dup2(log, STDOUT_FILENO);
+    ::dup2(log, STDERR_FILENO);
+    for (int i = 0; i < plan.descriptorCount; ++i)
+        ::dup2(firstOwn + i, kFirstDescriptor + i);
+    ::dup2(status, kStatusFd);
+    ::dup2(filter, kFilterFd);
+    ::close_range(static_cast<unsigned>(kFirstDescriptor + plan.descriptorCount), kStatusFd - 1, 0);
+    ::close_range(kFilterFd + 1, ~0U, 0);
+}
+
+[[noreturn]] void runChild(const ChildPlan &plan) {
+    char go = 0;
+    while (::read(plan.goFd, &go, 1) < 0 && errno == EINTR) {
+    }
+    if (go != 1)
+        ::_exit(1);
+    giveDescriptors(plan);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    if (::setsid() < 0)
+        childFails("setsid");
+    setLimits(plan);
+    if (plan.asRoot &&
+        (::setgroups(0, nullptr) != 0 || ::setresgid(kNobody, kNobody, kNobody) != 0 ||
+         ::setresuid(kNobody, kNobody, kNobody) != 0))
+        childFails("setresuid");
+    // Changing user has cleared it.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
+        childFails("no_new_privs");
+    ::execv(kBubblewrap, plan.argv);
+    childFails(kBubblewrap);
+}
+
+} // namespace
+
+std::vector<std::string> bubblewrapArguments(const BoxSpec &spec, int statusFd, int filterFd) {
+    std::vector<std::string> arguments = {
+        kBubblewrap,  "--unshare-all", "--unshare-user", "--disable-userns",
+        "--uid",      "65534",         "--gid",          "65534",
+        "--cap-drop", "ALL",           "--new-session",  "--die-with-parent",
+        "--clearenv", "--setenv",      "LANG",           "C.UTF-8",
+        "--setenv",   "PATH",          "/usr/bin",       "--setenv",
+        "TMPDIR",     "/tmp"};
+    const auto add = [&](std::initializer_list<std::string> more) {
+        arguments.insert(arguments.end(), more);
+    };
+    add({"--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64",
+         "/lib64", "--symlink", "usr/bin", "/bin"});
+    // bubblewrap's /dev and root are writable memory unless told otherwise.
+    add({"--dev", "/dev", "--remount-ro", "/dev", "--size", "1048576", "--tmpfs", "/dev/shm"});
+    add({"--size", std::to_string(spec.limits.temporaryBytes), "--tmpfs", "/tmp"});
+    for (const BoxBind &bind : spec.binds)
+        add({bind.writable ? "--bind" : "--ro-bind", bind.host.string(), bind.inside});
+    add({"--remount-ro", "/", "--chdir", spec.workingFolder, "--json-status-fd",
+         std::to_string(statusFd), "--seccomp", std::to_string(filterFd), "--"});
+    arguments.insert(arguments.end(), spec.argv.begin(), spec.argv.end());
+    return arguments;
+}
+
+Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
+    const bool asRoot = ::geteuid() == 0;
+    std::vector<std::string> arguments = bubblewrapArguments(spec, kStatusFd, kFilterFd);
+    std::vector<char *> argv;
+    for (std::string &argument : arguments)
+        argv.push_back(argument.data());
+    argv.push_back(nullptr);
+
+    Pipe log = makePipe();
+    Pipe status = makePipe();
+    Pipe go = makePipe();
+    const Descriptor filter = seccompFilter(spec.mayFork);
+    ChildPlan plan{};
+    plan.argv = argv.data();
+    plan.descriptors = spec.descriptors.data();
+    plan.descriptorCount = static_cast<int>(spec.descriptors.size());
+    plan.goFd = go.read.get();
+    plan.logFd = log.write.get();
+    plan.statusFd = status.write.get();
+    plan.filterFd = filter.get();
+    plan.asRoot = asRoot;
+    // As root all boxes share one user: room for as many as may run at a time.
+    constexpr rlim_t kBoxesAtOnce = 64;
+    plan.processes = asRoot ? spec.limits.processes * kBoxesAtOnce
+                            : processesOf(::geteuid()) + spec.limits.processes;
+    plan.limits = &spec.limits;
+
+    const pid_t child = ::fork();
+    if (child < 0)
+        throw GraderError("no process can be started: the machine has too many");
+    if (child == 0) {
+        go.write.close();
+        runChild(plan);
+    }
+    Launched launched;
+    launched.process = child;
+    launched.log = std::move(log.read);
+    launched.status = std::move(status.read);
+    try {
+        if (cgroup != nullptr)
+            cgroup->add(child);
+    } catch (...) {
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        throw;
+    }
+    const char start = 1;
+    if (::write(go.write.get(), &start, 1) != 1)
+        throw GraderError("the sandbox's process ended before it began");
+    return launched;
+}
+
+} // namespace grader
