@@ -3,6 +3,7 @@
 
 #include <grader/build/variant_builder.h>
 #include <grader/checks/check.h>
+#include <grader/error.h>
 #include <grader/results/results.h>
 #include <grader/rubric/rubric.h>
 #include <grader/submission/submission.h>
@@ -17,10 +18,16 @@
 namespace grader {
 
 struct EngineOptions {
-    std::string seedHex; ///< of the run; same seed, same numbers, whatever `jobs` is
-    int jobs = 2;        ///< boxes that run at the same time
-    const Rubric *rubric = nullptr;
+    std::string seedHex;            ///< of the run; same seed, same numbers, whatever `jobs` is
+    int jobs = 2;                   ///< boxes that run at the same time
+    const Rubric *rubric = nullptr; ///< with its checks resolved
     const std::atomic<bool> *interrupted = nullptr; ///< polled between checks; may be null
+};
+
+/// The machine gives less than the rubric asks for; the message says how to mend it.
+class SandboxTooWeak : public GraderError {
+public:
+    using GraderError::GraderError;
 };
 
 /// What `interrupted` turns into.
@@ -35,7 +42,7 @@ using ProgressCallback = std::function<void(std::string_view phase, double fract
 /// the groups, and follows a failure through to whose it is. Starts every process that is started.
 class Engine {
 public:
-    /// \throws GraderError  if the sandbox is below the rubric's `min_sandbox`
+    /// \throws SandboxTooWeak  below the rubric's `min_sandbox`
     Engine(const Sandbox &sandbox, const EngineOptions &options);
 
     /// \throws GraderError  when we fail, Interrupted; never for what a submission does
