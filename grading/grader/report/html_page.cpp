@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "html_page.h"
+
+#include <grader/scoring/points.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "html.h"
+#include "terminal_report.h"
+
+namespace grader {
+
+namespace {
+
+// Colours have a contrast of at least 4.5 on their background and differ under every common form of
+// colour blindness; each verdict has its sign and word as well.
+constexpr char kStyle[] = R"(
+:root { color-scheme: light dark; --text: #1a1a1a; --back: #ffffff; --soft: #f2f3f5; --line: #c9ccd1;
+  --pass: #0072b2; --fail: #b34700; --look: #7a5200; --none: #5a6069; }
+@media (prefers-color-scheme: dark) {
+  :root { --text: #e8e8e8; --back: #16181b; --soft: #22252a; --line: #454a52;
+    --pass: #56b4e9; --fail: #ff8a3d; --look: #f0e442; --none: #a7aeb8; } }
+body { margin: 0 auto; max-width: 62rem; padding: 1rem; color: var(--text); background: var(--back);
+  font: 1rem/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.5rem; margin-bottom: 0; overflow-wrap: anywhere; }
+h2 { font-size: 1.15rem; margin-top: 2rem; }
+.total { font-size: 2rem; margin: .5rem 0; }
+table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .35rem .6rem; overflow-wrap: anywhere;
+  border-bottom: 1px solid var(--line); }
+thead th { background: var(--soft); }
+.number { text-align: right; white-space: nowrap; }
+.verdict { white-space: nowrap; font-weight: 600; }
+.pass { color: var(--pass); } .fail { color: var(--fail); }
+.look { color: var(--look); } .none { color: var(--none); }
+details { margin: .5rem 0; border: 1px solid var(--line); border-radius: .3rem; }
+summary { cursor: pointer; padding: .4rem .6rem; background: var(--soft); }
+.scroll { overflow-x: auto; }
+.message { white-space: pre-wrap; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; }
+dd { margin: 0; overflow-wrap: anywhere; }
+@media print { details { break-inside: avoid; } }
+)";
+
+struct Look {
+    const char *style;
+    const char *sign;
+};
+
+Look lookOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Pass:
+        return {"pass", "✔"};
+    case Verdict::Inconclusive:
+    case Verdict::Human:
+    case Verdict::Infra:
+        return {"look", "▲"};
+    case Verdict::Missing:
+        return {"none", "○"};
+    default:
+        return {"fail", "✖"};
+    }
+}
+
+std::string verdictCell(Verdict verdict) {
+    const Look look = lookOf(verdict);
+    return fmt::format(R"(<td class="verdict {}">{} {}</td>)", look.style, look.sign,
+                       verdictName(verdict));
+}
+
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.3g}", value) : std::string("–");
+}
+
+std::string points(const ItemResult &item) {
+    return fmt::format("{} / {}", std::isfinite(item.points) ? formatPoints(item.points) : "–",
+                       formatPoints(item.max));
+}
+
+/// Text of a hand-in, set apart so that its direction of writing stays its own.
+std::string isolated(std::string_view text) {
+    return fmt::format("<bdi>{}</bdi>", escapeHtml(text));
+}
+
+std::string itemTable(const SubmissionResult &result) {
+    std::string html = "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Item</th>";
+    if (result.marked)
+        html += "<th scope=\"col\" class=\"number\">Points</th>";
+    html += "<th scope=\"col\">Verdict</th><th scope=\"col\">Reason</th></tr></thead>\n<tbody>\n";
+    for (const ItemResult &item : result.items) {
+        html += fmt::format("<tr><th scope=\"row\">{}{}</th>", escapeHtml(item.title),
+                            item.extra ? " (extra)" : "");
+        if (result.marked)
+            html += fmt::format("<td class=\"number\">{}</td>", points(item));
+        html +=
+            fmt::format("{}<td>{}</td></tr>\n", verdictCell(item.verdict), isolated(item.reason));
+    }
+    return html + "</tbody>\n</table></div>\n";
+}
+
+std::string checkRow(const CheckResult &check) {
+    std::string html =
+        fmt::format("<tr><th scope=\"row\">{}</th>{}<td>{}</td>", escapeHtml(check.id),
+                    verdictCell(check.verdict), severityName(check.severity));
+    for (const double value : {check.effect, check.mde, check.p})
+        html += fmt::format("<td class=\"number\">{}</td>", number(value));
+    html += fmt::format("<td class=\"message\">{}", isolated(check.message));
+    if (!check.diagnosis.empty())
+        html += fmt::format("<br><strong>{}</strong>", isolated(check.diagnosis));
+    if (!check.variant.empty())
+        html += fmt::format("<br><small>tested on: {}</small>", escapeHtml(check.variant));
+    return html + "</td></tr>\n";
+}
+
+std::string checkTables(const SubmissionResult &result) {
+    std::string html;
+    for (const ItemResult &item : result.items) {
+        if (item.checks.empty())
+            continue;
+        const Look look = lookOf(item.verdict);
+        html += fmt::format("<details{}><summary><span class=\"{}\">{}</span> {}</summary>\n"
+                            "<div class=\"scroll\"><table>\n<thead><tr>",
+                            item.verdict == Verdict::Pass ? "" : " open", look.style, look.sign,
+                            escapeHtml(item.title));
+        for (const char *head :
+             {"Check", "Verdict", "Severity", "Effect", "Would find", "p", "What was found"})
+            html += fmt::format("<th scope=\"col\">{}</th>", head);
+        html += "</tr></thead>\n<tbody>\n";
+        for (const CheckResult &check : item.checks)
+            html += checkRow(check);
+        html += "</tbody>\n</table></div></details>\n";
+    }
+    return html.empty() ? html : "<h2>Checks</h2>\n" + html;
+}
+
+std::string noteList(const SubmissionResult &result) {
+    if (result.notes.empty())
+        return {};
+    std::string html = "<h2>Notes</h2>\n<ul>\n";
+    for (const Note &note : result.notes) {
+        html += "<li>";
+        if (note.level == Note::Level::Human)
+            html += "<strong class=\"look\">▲ someone has to look:</strong> ";
+        if (!note.file.empty())
+            html += isolated(note.file) + ": ";
+        html += isolated(note.text) + "</li>\n";
+    }
+    return html + "</ul>\n";
+}
+
+std::string fileTable(const SubmissionResult &result) {
+    if (result.files.empty())
+        return {};
+    std::string html = "<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr>"
+                       "<th scope=\"col\">File</th><th scope=\"col\">Used as</th>"
+                       "<th scope=\"col\">Why</th></tr></thead>\n<tbody>\n";
+    for (const FileUse &file : result.files)
+        html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
+                            isolated(file.path), escapeHtml(file.use), isolated(file.reason));
+    return html + "</tbody>\n</table></div>\n";
+}
+
+std::string provenanceList(const SubmissionResult &result, const Provenance &from) {
+    std::string html = "<h2>How this was tested</h2>\n<dl>\n";
+    const auto entry = [&](const char *name, const std::string &value) {
+        if (!value.empty())
+            html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, escapeHtml(value));
+    };
+    entry("Grader", "norigrade " + from.toolVersion);
+    entry("Rubric", from.rubricId + " (" + from.rubricDigest + ")");
+    entry("Base code", from.baseDigest);
+    entry("Compiler", from.compiler);
+    entry("Sandbox", result.sandbox);
+    entry("Seed", result.seed);
+    const Timing &time = result.timing;
+    entry("Time", fmt::format("{:.1f} s (compile {:.1f}, link {:.1f}, run {:.1f}, judge {:.1f})",
+                              time.total, time.compile, time.link, time.sample, time.judge));
+    return html + "</dl>\n";
+}
+
+} // namespace
+
+std::string htmlPage(const SubmissionResult &result, const Provenance &provenance) {
+    std::string html =
+        fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+                    "style-src '{}'; "
+                    "base-uri 'none'; form-action 'none'\">\n"
+                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<title>{} – {}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+                    contentHash(kStyle), escapeHtml(result.name), sumLine(result), kStyle);
+    html += fmt::format("<h1>{}</h1>\n", isolated(result.name));
+    if (!result.members.empty())
+        html += fmt::format("<p>{}</p>\n",
+                            isolated(fmt::format("{}", fmt::join(result.members, ", "))));
+    html += fmt::format("<p class=\"total\">{}</p>\n", sumLine(result));
+    if (hasInfraFailure(result))
+        html += "<p>Not final: a part could not be tested, through no fault of the hand-in.</p>\n";
+    if (needsHuman(result))
+        html += "<p>Not final: someone has to look.</p>\n";
+    html += itemTable(result) + checkTables(result) + noteList(result) + fileTable(result) +
+            provenanceList(result, provenance);
+    return html + "</main>\n</body>\n</html>\n";
+}
+
+std::string pageName(const std::string &submissionName, std::size_t index) {
+    std::string name;
+    for (const char c : submissionName) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '-' || c == '_';
+        if (plain)
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    name.resize(std::min<std::size_t>(name.size(), 80));
+    if (name.empty())
+        name = "submission";
+    return index > 0 ? fmt::format("{}-{}.html", name, index + 1) : name + ".html";
+}
+
+} // namespace grader

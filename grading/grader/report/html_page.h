@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/results/results.h>
+
+#include <string>
+
+namespace grader {
+
+/// One hand-in as a page of its own: everything that results.json says of it, readable without a
+/// server, a network or scripts, in light and dark. Its content security policy allows nothing but
+/// its own style sheet.
+std::string htmlPage(const SubmissionResult &result, const Provenance &provenance);
+
+/// File name of a hand-in's page: ASCII, from its name, ending in `.html`.
+/// \param index  how many hand-ins of the run before it had the same file name
+std::string pageName(const std::string &submissionName, std::size_t index);
+
+} // namespace grader

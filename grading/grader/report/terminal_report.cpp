@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "terminal_report.h"
+
+#include <grader/results/safe_text.h>
+#include <grader/scoring/points.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "text_layout.h"
+
+namespace grader {
+
+namespace {
+
+constexpr std::size_t kNarrowestReason = 24; ///< below it, reasons go on lines of their own
+constexpr std::size_t kMostNotes = 12;
+constexpr std::size_t kMostNames = 12;
+
+/// How a verdict is shown: sign in ASCII and Unicode, SGR colour. Told apart without colour too.
+struct VerdictLook {
+    const char *ascii;
+    const char *sign;
+    const char *colour;
+};
+
+VerdictLook lookOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Pass:
+        return {"+", "✔", "36"};
+    case Verdict::Inconclusive:
+    case Verdict::Human:
+    case Verdict::Infra:
+        return {"!", "▲", "33"};
+    case Verdict::Missing:
+        return {"o", "○", "2"};
+    default:
+        return {"x", "✖", "1;31"};
+    }
+}
+
+struct Row {
+    std::string item, points, verdict, reason;
+    Verdict kind = Verdict::Infra;
+};
+
+class TableWriter {
+public:
+    TableWriter(const SubmissionResult &result, const TerminalStyle &style)
+        : m_marked(result.marked), m_style(style) {
+        m_rows.push_back({"item", "points", "verdict", "reason", Verdict::Infra});
+        for (const ItemResult &item : result.items)
+            m_rows.push_back(rowOf(item));
+        for (const Row &row : m_rows) {
+            m_itemWidth = std::max(m_itemWidth, displayWidth(row.item));
+            m_pointsWidth = std::max(m_pointsWidth, displayWidth(row.points));
+            m_verdictWidth = std::max(m_verdictWidth, displayWidth(row.verdict));
+        }
+    }
+
+    std::string write() const {
+        std::string text;
+        for (std::size_t i = 0; i < m_rows.size(); ++i)
+            writeRow(m_rows[i], i == 0, text);
+        return text;
+    }
+
+private:
+    Row rowOf(const ItemResult &item) const {
+        const VerdictLook look = lookOf(item.verdict);
+        return {safeLine(item.id) + (item.extra ? " (extra)" : ""),
+                std::isfinite(item.points)
+                    ? fmt::format("{} / {}", formatPoints(item.points), formatPoints(item.max))
+                    : fmt::format("- / {}", formatPoints(item.max)),
+                fmt::format("{} {}", m_style.unicodeSigns ? look.sign : look.ascii,
+                            verdictName(item.verdict)),
+                safeLine(item.reason), item.verdict};
+    }
+
+    void writeRow(const Row &row, bool isHead, std::string &text) const {
+        std::string line = "  " + padRight(row.item, m_itemWidth);
+        if (m_marked)
+            line += "  " + padLeft(row.points, m_pointsWidth);
+        const std::size_t before = displayWidth(line) + 2 + m_verdictWidth + 2;
+        const std::string verdict = padRight(row.verdict, m_verdictWidth);
+        line += "  " + (m_style.colour && !isHead
+                            ? fmt::format("\x1b[{}m{}\x1b[0m", lookOf(row.kind).colour, verdict)
+                            : verdict);
+        const bool own = m_style.width > 0 && m_style.width < before + kNarrowestReason;
+        const std::size_t indent = own ? 6 : before;
+        const std::size_t room =
+            m_style.width == 0 ? 0 : std::max<std::size_t>(m_style.width, indent + 10) - indent;
+        text += line;
+        if (own && isHead) {
+            text += '\n';
+            return;
+        }
+        text += own ? "\n" + std::string(indent, ' ') : "  ";
+        const std::vector<std::string> lines = wrapText(row.reason, room);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            text += (i > 0 ? std::string(indent, ' ') : "") + lines[i] + "\n";
+    }
+
+    bool m_marked;
+    TerminalStyle m_style;
+    std::vector<Row> m_rows;
+    std::size_t m_itemWidth = 0;
+    std::size_t m_pointsWidth = 0;
+    std::size_t m_verdictWidth = 0;
+};
+
+/// `label` and the text beside it, broken to the width of the terminal.
+void writeLabelled(const std::string &label, const std::string &content, const TerminalStyle &style,
+                   std::string &text) {
+    const std::string head = "  " + label + " ";
+    const std::size_t indent = displayWidth(head);
+    const std::size_t room =
+        style.width == 0 ? 0 : std::max<std::size_t>(style.width, indent + 10) - indent;
+    const std::vector<std::string> lines = wrapText(safeLine(content), room);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        text += (i == 0 ? head : std::string(indent, ' ')) + lines[i] + "\n";
+}
+
+void writeNotes(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
+    std::vector<const Note *> shown;
+    for (const Note::Level level : {Note::Level::Human, Note::Level::Odd}) {
+        for (const Note &note : result.notes) {
+            if (note.level == level)
+                shown.push_back(&note);
+        }
+    }
+    if (shown.empty())
+        return;
+    text += "\n";
+    const std::size_t count = std::min(shown.size(), kMostNotes);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Note &note = *shown[i];
+        const std::string label = note.level == Note::Level::Human ? "look:" : "note:";
+        writeLabelled(label, note.file.empty() ? note.text : note.file + ": " + note.text, style,
+                      text);
+    }
+    if (shown.size() > count)
+        writeLabelled("note:",
+                      fmt::format("and {} more; all are in the page and in results.json",
+                                  shown.size() - count),
+                      style, text);
+}
+
+void writeFiles(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
+    std::vector<std::string> used;
+    std::vector<std::string> ignored;
+    for (const FileUse &file : result.files) {
+        if (file.use == "ignored")
+            ignored.push_back(file.path + (file.reason.empty() ? "" : " (" + file.reason + ")"));
+        else if (file.use == "source" || file.use == "extra" || file.use == "header")
+            used.push_back(file.path);
+    }
+    if (!used.empty() || !ignored.empty())
+        text += "\n";
+    for (const auto &[label, names] : {std::pair("used:", &used), {"ignored:", &ignored}}) {
+        if (names->empty())
+            continue;
+        const std::size_t count = std::min(names->size(), kMostNames);
+        std::string list =
+            fmt::format("{}", fmt::join(names->begin(), names->begin() + count, ", "));
+        if (names->size() > count)
+            list += fmt::format(", and {} more", names->size() - count);
+        writeLabelled(label, list, style, text);
+    }
+}
+
+} // namespace
+
+std::string sumLine(const SubmissionResult &result) {
+    if (!std::isfinite(result.total))
+        return "not graded";
+    if (result.marked)
+        return fmt::format("{} of {}", formatPoints(result.total), formatPoints(result.cap));
+    const auto right =
+        std::count_if(result.items.begin(), result.items.end(),
+                      [](const ItemResult &item) { return item.verdict == Verdict::Pass; });
+    return fmt::format("{} of {} items right", right, result.items.size());
+}
+
+std::string terminalReport(const SubmissionResult &result, const TerminalStyle &style) {
+    std::string text = safeLine(result.name);
+    if (!result.members.empty())
+        text += fmt::format(" ({})", safeLine(fmt::format("{}", fmt::join(result.members, ", "))));
+    text += "\n\n" + TableWriter(result, style).write() + "\n";
+    const std::string sum = sumLine(result);
+    text += style.colour ? fmt::format("  \x1b[1m{}\x1b[0m", sum) : "  " + sum;
+    if (hasInfraFailure(result))
+        text += ", not final: a part could not be tested";
+    else if (needsHuman(result))
+        text += ", not final: someone has to look";
+    text += "\n";
+    writeNotes(result, style, text);
+    writeFiles(result, style, text);
+    return text;
+}
+
+} // namespace grader
