@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.h"
+
+#include <grader/error.h>
+#include <grader/rubric/nearest_name.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <thread>
+
+namespace grader {
+
+namespace {
+
+constexpr int kMostJobs = 256;
+constexpr std::size_t kSeedDigits = 32;
+
+constexpr char kExitCodes[] = R"(
+Exit codes: 0 done, whatever the marks are; 1 check: some tests failed; 2 wrong usage or rubric;
+3 done, but someone has to look; 4 this machine cannot lock submissions in as the rubric asks;
+5 something could not be tested through no fault of a hand-in; 75 interrupted, what is done is kept.)";
+
+constexpr char kExamples[] = R"(
+Examples:
+  norigrade grade p2_123456_654321.zip           grade one hand-in
+  norigrade grade handins/*.zip --out results    grade many, with a page for each in results/
+  norigrade check my_solution/                   the same tests on your own work, without marks
+  norigrade doctor                               how strongly this machine locks submissions in
+  norigrade starter student_edition/             the base code to hand out)";
+
+constexpr char kGradeExamples[] = R"(
+Examples:
+  norigrade grade p2_123456_654321.zip
+  norigrade grade handins/*.zip --out results --jobs 8
+  norigrade grade hand_in/ --rubric my_rubric.toml --seed 2a
+  norigrade grade hand_in.zip --json | jq '.submissions[0].total')";
+
+constexpr char kCheckExamples[] = R"(
+Examples:
+  norigrade check .                              the folder that holds your src/
+  norigrade check p2_123456_654321.zip           what you are about to hand in
+  norigrade check . --out report                 with a page to read in report/)";
+
+constexpr char kDoctorExamples[] = R"(
+Example:
+  norigrade doctor)";
+
+constexpr char kLintExamples[] = R"(
+Example:
+  norigrade lint my_rubric.toml)";
+
+constexpr char kStarterExamples[] = R"(
+Example:
+  norigrade starter student_edition/)";
+
+/// The digits as 32 lower-case ones; CLI11 reports what is no seed.
+std::string normalizeSeed(const std::string &seed) {
+    std::string digits(kSeedDigits - seed.size(), '0');
+    for (const char c : seed)
+        digits += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return digits;
+}
+
+std::string requireHex(const std::string &seed) {
+    const bool hex = std::all_of(seed.begin(), seed.end(),
+                                 [](unsigned char c) { return std::isxdigit(c) != 0; });
+    if (hex && !seed.empty() && seed.size() <= kSeedDigits)
+        return {};
+    return fmt::format("\"{}\" is no seed: give 1 to {} hexadecimal digits", seed, kSeedDigits);
+}
+
+CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
+    CLI::App *verb =
+        marked ? program.add_subcommand("grade", "Grade hand-ins: zips or folders")
+               : program.add_subcommand("check", "Test your own work: the same tests, no marks");
+    verb->add_option("PATH", command.paths,
+                     marked ? "Zip or folder, one per hand-in" : "Zip or folder with your files")
+        ->required()
+        ->expected(1, marked ? 1 << 20 : 1);
+    verb->add_option("--rubric", command.rubric, "TOML file (default: the assignment's own)")
+        ->type_name("FILE");
+    verb->add_option("--out", command.out,
+                     marked ? "Folder for results.json and the pages (default: a new one below "
+                              "norigrade-results/)"
+                            : "Folder for results.json and a page (default: nothing is written)")
+        ->type_name("DIR");
+    verb->add_option("--jobs", command.jobs, "Processes at the same time (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostJobs));
+    verb->add_option("--seed", command.seed,
+                     "1 to 32 hexadecimal digits: the same seed, the same results (default: fresh)")
+        ->type_name("HEX")
+        ->check(requireHex);
+    verb->add_flag("--json", command.json, "Print results.json instead of tables");
+    verb->add_flag("--quiet", command.quiet, "Print one line per hand-in, no progress");
+    verb->footer(marked ? kGradeExamples : kCheckExamples);
+    return verb;
+}
+
+/// CLI11's own message, with the option that was probably meant.
+std::string explain(const CLI::ParseError &error, const CLI::App &program,
+                    const std::vector<std::string> &arguments) {
+    std::string message = error.what();
+    const std::vector<CLI::App *> chosen = program.get_subcommands();
+    const CLI::App &app = chosen.empty() ? program : *chosen.front();
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+        std::vector<std::string> known;
+        for (const CLI::Option *option : app.get_options()) {
+            for (const std::string &name : option->get_lnames())
+                known.push_back("--" + name);
+        }
+        for (const std::string &argument : arguments) {
+            const std::string name = argument.substr(0, argument.find('='));
+            if (name.rfind("--", 0) != 0 ||
+                std::find(known.begin(), known.end(), name) != known.end())
+                continue;
+            message = fmt::format("there is no option {}{}", name, suggestion(name, known));
+            break;
+        }
+    }
+    const std::string verb = chosen.empty() ? "" : " " + app.get_name();
+    return fmt::format("{}\nnorigrade{} --help tells more", message, verb);
+}
+
+} // namespace
+
+Command parseCommandLine(const std::vector<std::string> &arguments) {
+    CLI::App program(
+        "Grades hand-ins of a Nori 2 assignment: builds them in a sandbox, tests every "
+        "rubric item, and says why a point is lost.",
+        "norigrade");
+    program.require_subcommand(1);
+    program.set_version_flag("--version", "norigrade " NORI_VERSION);
+    program.footer(std::string(kExamples) + "\n" + kExitCodes);
+
+    const int cores = static_cast<int>(
+        std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(kMostJobs)));
+    GradeCommand grade;
+    GradeCommand check;
+    grade.jobs = check.jobs = cores;
+    check.marked = false;
+    const CLI::App *gradeVerb = addGrade(program, grade, true);
+    const CLI::App *checkVerb = addGrade(program, check, false);
+
+    CLI::App *doctorVerb =
+        program.add_subcommand("doctor", "Say which sandbox level this machine gives, and why");
+    doctorVerb->footer(kDoctorExamples);
+
+    LintCommand lint;
+    CLI::App *lintVerb = program.add_subcommand("lint", "Check a rubric and say how it adds up");
+    lintVerb->add_option("RUBRIC", lint.rubric, "TOML file")->required();
+    lintVerb->footer(kLintExamples);
+
+    StarterCommand starter;
+    CLI::App *starterVerb = program.add_subcommand(
+        "starter", "Write the student edition: the base code without the graded parts");
+    starterVerb->add_option("DIR", starter.folder, "Folder to make; must be new or empty")
+        ->required();
+    starterVerb->footer(kStarterExamples);
+
+    if (arguments.empty())
+        return PrintCommand{program.help()};
+    if (arguments.front().rfind('-', 0) != 0) {
+        const std::vector<std::string> verbs = {"grade", "check", "doctor", "lint", "starter"};
+        if (std::find(verbs.begin(), verbs.end(), arguments.front()) == verbs.end())
+            return UsageMistake{fmt::format("there is no verb \"{}\"{}", arguments.front(),
+                                            suggestion(arguments.front(), verbs))};
+    }
+    try {
+        program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp &) {
+        return PrintCommand{program.help()};
+    } catch (const CLI::CallForVersion &error) {
+        return PrintCommand{std::string(error.what()) + "\n"};
+    } catch (const CLI::ParseError &error) {
+        return UsageMistake{explain(error, program, arguments)};
+    }
+    for (GradeCommand *command : {&grade, &check}) {
+        if (!command->seed.empty())
+            command->seed = normalizeSeed(command->seed);
+    }
+    if (gradeVerb->parsed())
+        return grade;
+    if (checkVerb->parsed())
+        return check;
+    if (lintVerb->parsed())
+        return lint;
+    if (starterVerb->parsed())
+        return starter;
+    return DoctorCommand{};
+}
+
+std::string freshSeed() {
+    std::array<unsigned char, kSeedDigits / 2> bytes{};
+    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+        throw GraderError("the system gives no random numbers (getrandom)");
+    return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+} // namespace grader

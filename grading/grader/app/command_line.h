@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace grader {
+
+/// `grade`, and `check`, which runs the same tests and gives no marks.
+struct GradeCommand {
+    bool marked = true;
+    std::vector<std::filesystem::path> paths;
+    std::filesystem::path rubric; ///< empty: the assignment's own
+    std::filesystem::path out;    ///< empty: a new folder for `grade`, nothing for `check`
+    std::string seed;             ///< 32 lower-case hexadecimal digits; empty: a fresh one
+    int jobs = 1;
+    bool json = false;
+    bool quiet = false;
+};
+
+struct DoctorCommand {};
+
+struct LintCommand {
+    std::filesystem::path rubric;
+};
+
+struct StarterCommand {
+    std::filesystem::path folder;
+};
+
+/// `--help` and `--version`: nothing to do but to print it.
+struct PrintCommand {
+    std::string text;
+};
+
+/// The command line cannot be followed.
+struct UsageMistake {
+    std::string message;
+};
+
+using Command = std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand, PrintCommand,
+                             UsageMistake>;
+
+/// \param arguments  without the program's name
+Command parseCommandLine(const std::vector<std::string> &arguments);
+
+/// 128 fresh random bits as 32 hexadecimal digits.
+/// \throws GraderError  if the system has none
+std::string freshSeed();
+
+} // namespace grader

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <grader/app/grade_run.h>
+#include <grader/app/interrupt.h>
+#include <grader/app/load_rubric.h>
+#include <grader/app/provenance.h>
+#include <grader/app/terminal.h>
+#include <grader/app/verbs.h>
+#include <grader/engine/engine.h>
+#include <grader/error.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+namespace grader {
+
+namespace {
+
+/// A folder that was not there before, named by the time in UTC.
+std::filesystem::path newResultsFolder() {
+    const std::string time = fmt::format("{:%Y%m%dT%H%M%SZ}", fmt::gmtime(std::time(nullptr)));
+    const std::filesystem::path folder = std::filesystem::path("norigrade-results") / time;
+    std::filesystem::path free = folder;
+    for (int i = 2; std::filesystem::exists(free); ++i)
+        free = fmt::format("{}-{}", folder.string(), i);
+    return free;
+}
+
+/// What is wrong with the paths, before any work is done; empty if nothing is.
+std::string pathMistake(const GradeCommand &command) {
+    for (const std::filesystem::path &path : command.paths) {
+        std::error_code error;
+        if (!std::filesystem::exists(path, error))
+            return fmt::format("{}: no such file or folder", path.string());
+    }
+    if (std::filesystem::exists(command.out) && !std::filesystem::is_directory(command.out))
+        return fmt::format("--out {}: this is a file, a folder is needed", command.out.string());
+    return {};
+}
+
+ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric) {
+    const std::atomic<bool> &interrupted = catchInterrupts();
+    const Sandbox sandbox;
+    Engine engine(sandbox, {.seedHex = command.seed,
+                            .jobs = command.jobs,
+                            .rubric = &rubric,
+                            .interrupted = &interrupted});
+    const Provenance provenance = provenanceOf(rubric);
+    const GradeRun run{command, rubric, provenance, interrupted, sandboxLevelName(sandbox.level())};
+    return gradeAll(run, [&](const Submission &submission, const ProgressCallback &progress) {
+        return engine.grade(submission, progress);
+    });
+}
+
+} // namespace
+
+ExitCode run(const GradeCommand &given) {
+    if (const std::string mistake = pathMistake(given); !mistake.empty())
+        return run(UsageMistake{mistake});
+    Rubric rubric;
+    try {
+        rubric = loadRubric(given.rubric);
+    } catch (const GraderError &error) {
+        return run(UsageMistake{error.what()});
+    }
+    GradeCommand command = given;
+    if (command.seed.empty())
+        command.seed = freshSeed();
+    if (command.out.empty() && command.marked)
+        command.out = newResultsFolder();
+    try {
+        return gradeWith(command, rubric);
+    } catch (const SandboxTooWeak &error) {
+        complain(error.what());
+        return ExitCode::SandboxTooLow;
+    }
+}
+
+} // namespace grader
