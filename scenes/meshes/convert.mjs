@@ -141,7 +141,7 @@ writeObj('meshes/quad.obj', 'square from -1 to 1 in the plane z = 0, facing +z',
 writeObj('meshes/cube.obj', 'cube from -1 to 1', cube());
 writeObj('meshes/sphere.obj', 'unit sphere', lathe(semicircle, 64));
 writeObj('meshes/cup.obj', 'cup without a handle, 8.2 tall', lathe(cup, 48));
-writeObj('meshes/bunny.obj', 'Stanford bunny, npm package bunny 1.0.1', weld(require('bunny')));
+writeObj('meshes/bunny.obj', 'Stanford bunny, npm package bunny 1.0.1', weld(require('bunny')), {creaseDegrees: 180});
 writeObj('meshes/teapot.obj', 'Utah teapot, npm package teapot 1.0.0', weld(require('teapot')));
 
 // The bust: half a turn, so that it looks to -z, then to the size and place that the course's own

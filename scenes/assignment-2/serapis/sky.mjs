@@ -10,8 +10,8 @@ const zenith = [0.16, 0.30, 0.62];
 const horizon = [0.80, 0.72, 0.62];
 const floor = [0.20, 0.16, 0.13];
 const lobes = [
-    {axis: [0.65, 0.55, -0.52], sharpness: 60, strength: [26, 21, 15]},
-    {axis: [-0.85, 0.25, -0.46], sharpness: 12, strength: [0.5, 0.9, 1.8]},
+    {axis: [0.65, 0.55, -0.52], sharpness: 30, strength: [13, 10.5, 7.5]},
+    {axis: [-0.85, 0.25, -0.46], sharpness: 12, strength: [0.3, 0.6, 1.3]},
 ];
 
 function radiance(d) {
