@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "request.h"
+#include <protocol/request.h>
 
 namespace protocol {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "request.h"
+#include <protocol/request.h>
 
 #include <limits>
 #include <stdexcept>

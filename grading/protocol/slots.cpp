@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "request.h"
+#include <protocol/request.h>
 
 namespace protocol {
 

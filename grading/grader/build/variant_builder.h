@@ -47,6 +47,9 @@ public:
     /// True if the hand-in has a file of this name.
     bool hasUnit(const std::string &unit) const;
 
+    /// True if the hand-in replaces or adds a header.
+    bool hasHeaders() const { return !m_headerNames.empty(); }
+
     /// Compiles every file of the hand-in, on all jobs, so that the rest only links.
     void compileAll(const std::function<void(double fraction)> &progress);
 

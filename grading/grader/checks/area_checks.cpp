@@ -21,7 +21,7 @@ constexpr double kTolerance = 1e-3;
 struct LightScene {
     TestMesh mesh;
     Vector3d radiance;
-    TestScene scene;
+    TestScene scene{"normals"};
     std::vector<Vector3d> front;
     std::vector<Vector3d> behind;
 };

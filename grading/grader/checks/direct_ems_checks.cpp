@@ -167,7 +167,8 @@ RadianceCase environment(std::uint64_t seed) {
     room.scene.addFile(kSkyMapName, skyMap());
     room.scene.addEnvironment({255, 230, 200}, kSkyMapName);
     test.scene = room.scene;
-    test.repeats = 4096;
+    test.repeats = 8192;
+    test.passBound = 0.03;
     return test;
 }
 
@@ -226,12 +227,20 @@ RadianceCase reflectingLight(std::uint64_t seed) {
 RadianceCase farShadow(std::uint64_t seed) {
     Room room(seed);
     RadianceCase test = onFloor(room);
-    room.scene.addMesh(
-        parallelogram({-9000, -9000, 3000}, {0, 18000, 0}, {18000, 0, 0}).transformed(room.pose),
-        {0.5, 0.5, 0.5});
-    room.scene.addEnvironment({1.3, 1.1, 0.9});
+    const TestMesh wall =
+        parallelogram({-9000, -9000, 3000}, {0, 18000, 0}, {18000, 0, 0}).transformed(room.pose);
+    const Vector3d radiance(1.3, 1.1, 0.9);
+    room.scene.addMesh(wall, {0.5, 0.5, 0.5});
+    room.scene.addEnvironment(radiance);
+    for (const TestRay &ray : test.rays) {
+        const double hidden = polygonIrradiance(hitPoint(ray, room.floor),
+                                                room.floor.geometricNormal(0), wall.positions) /
+                              kPi;
+        test.expected.push_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
+    }
     test.scene = room.scene;
-    test.repeats = 4096;
+    test.repeats = 8192;
+    test.passBound = 0.03;
     return test;
 }
 

@@ -30,7 +30,7 @@ constexpr double kToleratedRmsOfMap = 0.05; ///< the midpoint rule misses the ed
 
 TestScene makeScene(bool constant, std::uint64_t seed) {
     SceneRandom random(seed);
-    TestScene scene;
+    TestScene scene("normals");
     scene.addMesh(parallelogram({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}).transformed(random.rigid(1)),
                   {0.5, 0.5, 0.5});
     if (constant) {
@@ -299,7 +299,7 @@ samples(CheckResult (*judge)(const std::vector<EmitterSampleRow> &), bool consta
 } // namespace
 
 std::string skyMap() {
-    return readTextFile(projectFolder() / "scenes" / "grading" / kSkyMapName);
+    return readTextFile(projectFolder() / "scenes/assignment-2/serapis" / kSkyMapName);
 }
 
 std::vector<Check> environmentChecks() {

@@ -22,7 +22,7 @@ constexpr double kTolerance = 0.008;
 TestScene makeScene(std::uint64_t seed) {
     SceneRandom random(seed);
     const Eigen::Isometry3d pose = random.rigid(1);
-    TestScene scene;
+    TestScene scene("normals");
     scene.addFile(kSkyMapName, skyMap());
     for (int i = 0; i < 3; ++i)
         scene.addPointLight(pose * Vector3d(i - 1.0, 0.3 * i, 1.5), random.color(0.5, 2 + 3 * i));

@@ -118,9 +118,13 @@ CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
     if (m_options.interrupted != nullptr && *m_options.interrupted)
         throw Interrupted();
     if (!variant.executable) {
-        const std::string why =
-            variant.failures.empty() ? "it does not link" : variant.failures.back().describe();
-        CheckResult result = withVerdict(check, Verdict::BuildError, why);
+        const BuildFailure failure =
+            variant.failures.empty() ? BuildFailure{} : variant.failures.back();
+        // Our own base over our own headers always builds.
+        const bool ours =
+            failure.unit != "link" && !m_builder.hasUnit(failure.unit) && !m_builder.hasHeaders();
+        CheckResult result =
+            withVerdict(check, ours ? Verdict::Infra : Verdict::BuildError, failure.describe());
         result.variant = variant.name;
         return result;
     }

@@ -164,7 +164,7 @@ std::vector<std::string> bubblewrapArguments(const BoxSpec &spec, int statusFd, 
         kBubblewrap,  "--unshare-all", "--unshare-user", "--disable-userns",
         "--uid",      "65534",         "--gid",          "65534",
         "--cap-drop", "ALL",           "--new-session",  "--die-with-parent",
-        "--clearenv", "--setenv",      "LANG",           "C.UTF-8",
+        "--clearenv", "--setenv",      "LANG",           "C",
         "--setenv",   "PATH",          "/usr/bin",       "--setenv",
         "TMPDIR",     "/tmp"};
     const auto add = [&](std::initializer_list<std::string> more) {
