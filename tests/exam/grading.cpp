@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "grading.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command.h"
+
+namespace exam {
+
+namespace {
+
+constexpr double kRounding = 1e-9; ///< points are sums of fractions
+constexpr int kDone = 0;           ///< exit codes of `norigrade grade` that are no failure
+constexpr int kNeedsHuman = 3;
+
+Graded parse(const std::string &json) {
+    const auto document = nlohmann::json::parse(json);
+    const auto &submission = document.at("submissions").at(0);
+    Graded graded;
+    graded.total = submission.at("total").get<double>();
+    for (const auto &item : submission.at("items"))
+        graded.items.push_back({item.at("id").get<std::string>(), item.at("points").get<double>(),
+                                item.at("max").get<double>(), item.at("verdict").get<std::string>(),
+                                item.at("reason").get<std::string>()});
+    return graded;
+}
+
+bool isFull(const GradedItem &item) {
+    return item.points >= item.max - kRounding;
+}
+
+bool isAsExpected(const GradedItem &item, Kept kept) {
+    switch (kept) {
+    case Kept::Any:
+        return true;
+    case Kept::Full:
+        return isFull(item);
+    case Kept::Lost:
+        return !isFull(item);
+    case Kept::Zero:
+        return item.points <= kRounding;
+    }
+    return false;
+}
+
+const char *keptName(Kept kept) {
+    switch (kept) {
+    case Kept::Any:
+        return "any";
+    case Kept::Full:
+        return "full";
+    case Kept::Lost:
+        return "lost";
+    case Kept::Zero:
+        return "zero";
+    }
+    return "?";
+}
+
+void compareItem(const Expectation &expectation, const GradedItem &item,
+                 std::vector<std::string> &misses) {
+    const std::string got = fmt::format("{} got {:g} of {:g} ({}: {})", item.id, item.points,
+                                        item.max, item.verdict, item.reason);
+    const auto named = expectation.items.find(item.id);
+    const Kept kept = named != expectation.items.end() ? named->second : expectation.others;
+    if (!isAsExpected(item, kept))
+        misses.push_back(fmt::format("{}; expected: {}", got, keptName(kept)));
+    const auto verdict = expectation.verdicts.find(item.id);
+    if (verdict != expectation.verdicts.end() && verdict->second != item.verdict)
+        misses.push_back(fmt::format("{}; expected verdict: {}", got, verdict->second));
+    if (item.verdict == "infra") // points are kept, but nothing was tested
+        misses.push_back(got);
+}
+
+} // namespace
+
+Graded grade(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
+             const std::string &seed, int jobs, const std::filesystem::path &scratch) {
+    const Outcome outcome =
+        runCommand({norigrade.string(), "grade", handIn.string(), "--json", "--quiet", "--seed",
+                    seed, "--jobs", std::to_string(jobs), "--out", (scratch / "results").string()},
+                   scratch);
+    if (outcome.exitCode != kDone && outcome.exitCode != kNeedsHuman)
+        throw ExamError(
+            fmt::format("norigrade ended with code {}: {}", outcome.exitCode, outcome.errors));
+    try {
+        Graded graded = parse(outcome.output);
+        graded.seconds = outcome.seconds;
+        return graded;
+    } catch (const nlohmann::json::exception &error) {
+        throw ExamError(fmt::format("norigrade's JSON: {}", error.what()));
+    }
+}
+
+std::vector<std::string> compare(const Expectation &expectation, const Graded &graded) {
+    std::vector<std::string> misses;
+    if (graded.total < expectation.minTotal - kRounding ||
+        graded.total > expectation.maxTotal + kRounding)
+        misses.push_back(fmt::format("the total is {:g}; expected: {:g} to {:g}", graded.total,
+                                     expectation.minTotal, expectation.maxTotal));
+    for (const GradedItem &item : graded.items)
+        compareItem(expectation, item, misses);
+    for (const auto &[id, kept] : expectation.items) {
+        const bool known =
+            std::any_of(graded.items.begin(), graded.items.end(),
+                        [&, &wanted = id](const GradedItem &item) { return item.id == wanted; });
+        if (!known)
+            misses.push_back(fmt::format("there is no item {}", id));
+    }
+    return misses;
+}
+
+std::string describe(const Expectation &expectation) {
+    std::string text;
+    if (expectation.minTotal == expectation.maxTotal)
+        text = fmt::format("{:g}", expectation.minTotal);
+    else if (expectation.maxTotal < 100)
+        text = fmt::format("at most {:g}", expectation.maxTotal);
+    for (const Kept kept : {Kept::Lost, Kept::Zero, Kept::Full}) {
+        std::string names;
+        for (const auto &[id, wanted] : expectation.items) {
+            if (wanted == kept)
+                names += (names.empty() ? "" : " ") + id;
+        }
+        if (expectation.others == kept)
+            names += names.empty() && expectation.items.empty() ? "all" : " others";
+        if (!names.empty())
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", keptName(kept),
+                                names.substr(names.front() == ' ' ? 1 : 0));
+    }
+    return text;
+}
+
+std::string describe(const Graded &graded) {
+    std::string text = fmt::format("{:g}", graded.total);
+    std::string separator = ": ";
+    for (const GradedItem &item : graded.items) {
+        if (isFull(item))
+            continue;
+        text += fmt::format("{}{} {:.3g}/{:g}", separator, item.id, item.points, item.max);
+        separator = ", ";
+    }
+    return text;
+}
+
+} // namespace exam

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "expectation.h"
+
+namespace exam {
+
+/// What the exam reads of one item of results.json.
+struct GradedItem {
+    std::string id;
+    double points = 0;
+    double max = 0;
+    std::string verdict;
+    std::string reason;
+};
+
+struct Graded {
+    double total = 0;
+    std::vector<GradedItem> items;
+    double seconds = 0; ///< of wall clock
+};
+
+/// Grades one hand-in with the program itself.
+/// \param seed     32 hexadecimal digits
+/// \param jobs     processes that the program may use at the same time
+/// \param scratch  an existing folder for its temporary files and its results
+/// \throws ExamError  if the program fails (a zero is no failure) or its JSON is not as published
+Graded grade(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
+             const std::string &seed, int jobs, const std::filesystem::path &scratch);
+
+/// Where a result is not what was expected, a sentence each; empty if all is well.
+std::vector<std::string> compare(const Expectation &expectation, const Graded &graded);
+
+/// `100, nothing lost`; `warp.disk lost, others full`.
+std::string describe(const Expectation &expectation);
+
+/// `100`, or the total and the items that lost points: `100: warp.disk 0/10`.
+std::string describe(const Graded &graded);
+
+} // namespace exam

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "grading.h"
+#include "hand_in.h"
+#include "machine.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using exam::Case;
+
+struct Options {
+    fs::path root;
+    fs::path norigrade;
+    std::string only;
+    int seeds = 1;
+    int jobs = 1;
+};
+
+/// One hand-in, graded with one seed.
+struct Task {
+    const Case *which = nullptr;
+    int round = 0;
+};
+
+/// Prints a line per task as it ends, and on a terminal how long the rest will take.
+class Table {
+public:
+    explicit Table(std::size_t tasks)
+        : m_tasks(tasks),
+          m_start(std::chrono::steady_clock::now()),
+          m_terminal(isatty(STDERR_FILENO) != 0) {
+        fmt::print("{:<42} {:<5} {:>6}  {}\n", "hand-in", "", "s", "expected -> got");
+    }
+
+    void add(const Task &task, const std::string &got, double seconds,
+             const std::vector<std::string> &misses) {
+        const std::lock_guard lock(m_mutex);
+        clearProgress();
+        const std::string name = task.round == 0
+                                     ? task.which->name
+                                     : fmt::format("{} #{}", task.which->name, task.round + 1);
+        fmt::print("{:<42} {:<5} {:>6.1f}  {} -> {}\n", name, misses.empty() ? "ok" : "MISS",
+                   seconds, exam::describe(task.which->expectation), got);
+        for (const std::string &miss : misses)
+            fmt::print("    {}\n", miss);
+        std::cout << std::flush;
+        ++m_done;
+        m_missed += misses.empty() ? 0 : 1;
+        showProgress();
+    }
+
+    /// \return  whether every expectation was met
+    bool finish() {
+        clearProgress();
+        fmt::print("{} of {} as expected, in {:.0f} s\n", m_done - m_missed, m_tasks, elapsed());
+        return m_missed == 0;
+    }
+
+private:
+    double elapsed() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    }
+
+    void clearProgress() const {
+        if (m_terminal)
+            std::cerr << "\r\x1b[K" << std::flush;
+    }
+
+    void showProgress() const {
+        if (m_terminal && m_done < m_tasks) {
+            const double left =
+                elapsed() / static_cast<double>(m_done) * static_cast<double>(m_tasks - m_done);
+            std::cerr << fmt::format("{} of {}, {:.0f} s left", m_done, m_tasks, left)
+                      << std::flush;
+        }
+    }
+
+    std::size_t m_tasks;
+    std::chrono::steady_clock::time_point m_start;
+    bool m_terminal;
+    std::size_t m_done = 0, m_missed = 0;
+    std::mutex m_mutex;
+};
+
+/// A folder that is removed at the end.
+class WorkFolder {
+public:
+    WorkFolder() {
+        std::string name = (fs::temp_directory_path() / "norigrade-exam-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw exam::ExamError(fmt::format("{}: cannot be made", name));
+        m_path = name;
+    }
+
+    WorkFolder(const WorkFolder &) = delete;
+    WorkFolder &operator=(const WorkFolder &) = delete;
+
+    ~WorkFolder() {
+        std::error_code ignored;
+        fs::remove_all(m_path, ignored);
+    }
+
+    const fs::path &path() const { return m_path; }
+
+private:
+    fs::path m_path;
+};
+
+/// Fixed, so that a miss can be repeated.
+std::string seedOf(int round) {
+    return fmt::format("{:032x}", 0x5eed0000 + round);
+}
+
+/// Leftovers of a hostile hand-in.
+std::vector<std::string> lookOver(const Case &which, const exam::Snapshot &before,
+                                  const fs::path &root, const fs::path &scratch) {
+    std::vector<std::string> found;
+    for (const std::string &process : exam::killLeftProcesses())
+        found.push_back("a process was left: " + process);
+    for (const std::string &difference : exam::differences(before, exam::takeSnapshot(root)))
+        found.push_back(difference);
+    for (const fs::path &file : exam::leftFiles(which.expectation.leftFiles, scratch))
+        found.push_back(file.string() + " was left");
+    return found;
+}
+
+void perform(const Options &options, const Task &task, int jobs, const fs::path &work,
+             Table &table) {
+    const Case &which = *task.which;
+    const fs::path scratch =
+        work / fmt::format("{}-{}", fs::path(which.name).filename().string(), task.round);
+    std::vector<std::string> misses;
+    std::string got = "nothing";
+    double seconds = 0;
+    try {
+        fs::create_directories(scratch);
+        const fs::path handIn = compose(options.root, which, options.norigrade, scratch);
+        const exam::Snapshot before =
+            which.expectation.hostile ? exam::takeSnapshot(options.root) : exam::Snapshot();
+        const exam::Graded graded =
+            exam::grade(options.norigrade, handIn, seedOf(task.round), jobs, scratch);
+        got = describe(graded);
+        seconds = graded.seconds;
+        misses = compare(which.expectation, graded);
+        if (which.expectation.hostile) {
+            for (std::string &found : lookOver(which, before, options.root, scratch))
+                misses.push_back(std::move(found));
+        }
+    } catch (const std::exception &error) {
+        misses.emplace_back(error.what());
+    }
+    table.add(task, got, seconds, misses);
+    std::error_code ignored;
+    fs::remove_all(scratch, ignored);
+}
+
+bool runExam(const Options &options) {
+    const std::vector<Case> cases = exam::findCases(options.root, options.only);
+    std::vector<Task> tasks, hostile;
+    for (const Case &which : cases) {
+        const bool accepted = which.name.rfind("accepted/", 0) == 0;
+        for (int round = 0; round < (accepted ? options.seeds : 1); ++round)
+            (which.expectation.hostile ? hostile : tasks).push_back({&which, round});
+    }
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const WorkFolder work;
+    Table table(tasks.size() + hostile.size());
+    exam::adoptOrphans();
+    std::atomic<std::size_t> next = 0;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < options.jobs; ++i)
+        threads.emplace_back([&] {
+            for (std::size_t at = next++; at < tasks.size(); at = next++)
+                perform(options, tasks[at], std::max(1, cores / options.jobs), work.path(), table);
+        });
+    for (std::thread &thread : threads)
+        thread.join();
+    // One after the other: what is left of one must not be taken for what another is doing.
+    for (const Task &task : hostile)
+        perform(options, task, cores, work.path(), table);
+    return table.finish();
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    Options options;
+    CLI::App app("Grades the hand-ins of tests/submissions and prints expected against got.\n"
+                 "Exit code: 0 all as expected, 1 some not, 2 the exam could not be held.",
+                 "exam");
+    app.add_option("--root", options.root, "Folder of the hand-ins")->required();
+    app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
+    app.add_option("--seeds", options.seeds, "Grade accepted hand-ins with this many seeds")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--only", options.only, "Only hand-ins with this text in their name")
+        ->option_text("TEXT");
+    app.add_option("--jobs", options.jobs, "Hand-ins at the same time (hostile ones: one)")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return runExam(options) ? 0 : 1;
+    } catch (const std::exception &error) {
+        std::cerr << "exam: " << error.what() << "\n";
+        return 2;
+    }
+}
