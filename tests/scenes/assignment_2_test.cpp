@@ -4,15 +4,17 @@
 #include <OpenEXR/ImfRgbaFile.h>
 #include <gtest/gtest.h>
 
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -48,6 +50,8 @@ public:
 
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+    TemporaryFolder(TemporaryFolder &&) = delete;
+    TemporaryFolder &operator=(TemporaryFolder &&) = delete;
 
     const fs::path &path() const { return m_path; }
 
@@ -152,7 +156,7 @@ TEST_P(EverySceneOfAssignment2, RendersAnImageThatIsNotBlack) {
     const Image image = loadExr(exr);
     const auto lit = std::count_if(image.values.begin(), image.values.end(),
                                    [](double value) { return value > 0.01; });
-    // A tenth: the darkest, with one of seven lights per sample and no background, has a fifth.
+    // A tenth: the darkest, with one of seven lights per sample and no background, has a quarter.
     EXPECT_GT(static_cast<double>(lit), 0.1 * static_cast<double>(image.values.size()));
     EXPECT_TRUE(std::all_of(image.values.begin(), image.values.end(),
                             [](double value) { return std::isfinite(value) && value >= 0.0; }));
