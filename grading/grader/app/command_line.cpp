@@ -79,10 +79,12 @@ CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
     CLI::App *verb =
         marked ? program.add_subcommand("grade", "Grade hand-ins: zips or folders")
                : program.add_subcommand("check", "Test your own work: the same tests, no marks");
-    verb->add_option("PATH", command.paths,
-                     marked ? "Zip or folder, one per hand-in" : "Zip or folder with your files")
-        ->required()
-        ->expected(1, marked ? 1 << 20 : 1);
+    CLI::Option *paths = verb->add_option("PATH", command.paths,
+                                          marked ? "Zips or folders, one per hand-in"
+                                                 : "Zip or folder with your files");
+    paths->required()->type_name("");
+    if (!marked)
+        paths->expected(1);
     verb->add_option("--rubric", command.rubric, "TOML file (default: the assignment's own)")
         ->type_name("FILE");
     verb->add_option("--out", command.out,
@@ -154,14 +156,15 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
 
     LintCommand lint;
     CLI::App *lintVerb = program.add_subcommand("lint", "Check a rubric and say how it adds up");
-    lintVerb->add_option("RUBRIC", lint.rubric, "TOML file")->required();
+    lintVerb->add_option("RUBRIC", lint.rubric, "TOML file")->required()->type_name("");
     lintVerb->footer(kLintExamples);
 
     StarterCommand starter;
     CLI::App *starterVerb = program.add_subcommand(
         "starter", "Write the student edition: the base code without the graded parts");
     starterVerb->add_option("DIR", starter.folder, "Folder to make; must be new or empty")
-        ->required();
+        ->required()
+        ->type_name("");
     starterVerb->footer(kStarterExamples);
 
     if (arguments.empty())

@@ -209,7 +209,7 @@ std::string pageName(const std::string &submissionName, std::size_t index) {
     std::string name;
     for (const char c : submissionName) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           (c >= '0' && c <= '9') || c == '-' || c == '_';
+                           (c >= '0' && c <= '9') || c == '_';
         if (plain)
             name += c;
         else if (!name.empty() && name.back() != '-')

@@ -59,29 +59,25 @@ std::string padLeft(const std::string &text, std::size_t width) {
 std::vector<std::string> wrapText(std::string_view text, std::size_t width) {
     if (width == 0)
         return {std::string(text)};
+    std::string valid; // so that cutting a word counts the bytes that are there
+    decode(text).toUTF8String(valid);
     std::vector<std::string> lines(1);
-    std::size_t used = 0;
-    const auto startLine = [&] {
-        lines.emplace_back();
-        used = 0;
-    };
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        std::string_view word = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (word.empty())
-            continue;
+    for (std::string_view rest = valid; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        std::string_view word = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        const std::size_t used = displayWidth(lines.back());
         if (used > 0 && used + 1 + displayWidth(word) > width)
-            startLine();
-        while (displayWidth(word) > width) {
+            lines.emplace_back();
+        else if (used > 0 && !word.empty())
+            lines.back() += ' ';
+        while (displayWidth(word) > width && fittingBytes(word, width) < word.size()) {
             const std::size_t bytes = fittingBytes(word, width);
-            lines.back() = word.substr(0, bytes);
+            lines.back() += word.substr(0, bytes);
+            lines.emplace_back();
             word.remove_prefix(bytes);
-            startLine();
         }
-        lines.back() += used > 0 ? " " : "";
         lines.back() += word;
-        used = displayWidth(lines.back());
     }
     return lines;
 }

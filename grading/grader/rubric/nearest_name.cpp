@@ -30,7 +30,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string nearestName(std::string_view name, const std::vector<std::string> &known) {
     std::string nearest;
-    std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
+    std::size_t best = (name.size() + 3) / 4 + 1;
     for (const std::string &candidate : known) {
         const std::size_t distance = editDistance(name, candidate);
         if (distance < best) {

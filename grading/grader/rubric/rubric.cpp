@@ -102,7 +102,7 @@ toml::table parse(const std::string &text, const std::string &name) {
 
 Rubric parseRubric(const std::string &text, const std::string &name) {
     const toml::table document = parse(text, name);
-    TomlTable root(document, name, "rubric");
+    TomlTable root(document, name);
     root.number("schema", kSchema, kSchema);
 
     Rubric rubric;

@@ -104,7 +104,7 @@ TomlTable TomlTable::table(std::string_view key) {
         fail("", fmt::format("[{}] is missing", key));
     if (!node->is_table())
         fail(key, fmt::format("{} must be a table: [{}]", key, key));
-    return {*node->as_table(), m_file, fmt::format("[{}]", key)};
+    return {*node->as_table(), m_file, std::string(key), fmt::format("[{}]", key)};
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) {
@@ -114,8 +114,9 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
         return result;
     if (!node->is_array_of_tables())
         fail(key, fmt::format("{} must be an array of tables: [[{}]]", key, key));
+    const std::string path = m_path.empty() ? std::string(key) : fmt::format("{}.{}", m_path, key);
     for (const toml::node &element : *node->as_array())
-        result.emplace_back(*element.as_table(), m_file, fmt::format("[[{}]]", key));
+        result.push_back({*element.as_table(), m_file, path, fmt::format("[[{}]]", path)});
     return result;
 }
 

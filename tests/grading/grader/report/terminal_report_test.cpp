@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <grader/report/terminal_report.h>
+#include <grader/report/text_layout.h>
+#include <support/sample_result.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+std::string golden(const std::string &name) {
+    std::ifstream file(std::string(NORI_SOURCE_DIR) + "/tests/golden/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(TerminalReport, LooksAsAgreed) {
+    EXPECT_EQ(terminalReport(support::sampleResult(), {}), golden("terminal_report.txt"));
+    EXPECT_EQ(terminalReport(support::sampleResult(),
+                             {.width = 78, .colour = false, .unicodeSigns = true}),
+              golden("terminal_report_78.txt"));
+}
+
+TEST(TerminalReport, GivesNoPointsForACheck) {
+    SubmissionResult result = support::sampleResult();
+    result.marked = false;
+    const std::string text = terminalReport(result, {});
+    EXPECT_EQ(text.find(" / "), std::string::npos);
+    EXPECT_NE(text.find("1 of 4 items right"), std::string::npos);
+}
+
+TEST(TerminalReport, KeepsToTheWidthOfTheTerminal) {
+    for (const std::size_t width : {40u, 60u, 80u, 120u}) {
+        SubmissionResult result = support::sampleResult();
+        result.items[0].reason = "田中 Muñoz " + std::string(300, 'x') + " y";
+        std::istringstream lines(terminalReport(result, {.width = width}));
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(displayWidth(line), std::max<std::size_t>(width, 52)) << line;
+    }
+}
+
+TEST(TerminalReport, UsesEscapesOnlyWhenColourIsAskedForAndEndsEachOne) {
+    EXPECT_EQ(terminalReport(support::sampleResult(), {.width = 80}).find('\x1b'),
+              std::string::npos);
+    const std::string text = terminalReport(support::sampleResult(), {.width = 80, .colour = true});
+    const auto escapes = std::count(text.begin(), text.end(), '\x1b');
+    EXPECT_GT(escapes, 0);
+    EXPECT_EQ(escapes % 2, 0);
+}
+
+TEST(TerminalReport, CannotBeDrivenByAHandIn) {
+    const std::string plain = terminalReport(support::resultWith("x"), {});
+    const auto lines = std::count(plain.begin(), plain.end(), '\n');
+    for (const std::string &hostile : support::hostileStrings()) {
+        const std::string text = terminalReport(support::resultWith(hostile), {});
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines) << hostile;
+        for (const char *part : {"\x1b", "\r", "\b", "\x07", "\x7f", "\xc2\x9b", "\xe2\x80\xae",
+                                 "\xe2\x81\xa6", "\xe2\x80\xa8"})
+            EXPECT_EQ(text.find(part), std::string::npos) << hostile;
+    }
+}
+
+TEST(TerminalReport, SaysThatMarksAreNotFinal) {
+    SubmissionResult result = support::sampleResult();
+    result.items[0].checks[0].verdict = Verdict::Infra;
+    EXPECT_NE(terminalReport(result, {}).find("not final: a part could not be tested"),
+              std::string::npos);
+    result = support::resultWith("x");
+    EXPECT_NE(terminalReport(result, {}).find("not final: someone has to look"), std::string::npos);
+    result.total = kNoNumber;
+    EXPECT_EQ(sumLine(result), "not graded");
+}
+
+} // namespace
+} // namespace grader
