@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <grader/app/command_line.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace grader {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+GradeCommand gradeCommand(const Arguments &arguments) {
+    const Command command = parseCommandLine(arguments);
+    EXPECT_TRUE(std::holds_alternative<GradeCommand>(command));
+    return std::get<GradeCommand>(command);
+}
+
+std::string mistake(const Arguments &arguments) {
+    const Command command = parseCommandLine(arguments);
+    return std::holds_alternative<UsageMistake>(command) ? std::get<UsageMistake>(command).message
+                                                         : "no mistake";
+}
+
+std::string printed(const Arguments &arguments) {
+    const Command command = parseCommandLine(arguments);
+    return std::holds_alternative<PrintCommand>(command) ? std::get<PrintCommand>(command).text
+                                                         : "";
+}
+
+TEST(CommandLine, ReadsGradeWithOptionsInAnyOrder) {
+    const GradeCommand command =
+        gradeCommand({"grade", "--jobs", "3", "a.zip", "--out", "o", "b c", "--json", "--rubric",
+                      "r.toml", "--seed", "2A", "--quiet"});
+    EXPECT_TRUE(command.marked);
+    EXPECT_EQ(command.paths, (std::vector<std::filesystem::path>{"a.zip", "b c"}));
+    EXPECT_EQ(command.rubric, "r.toml");
+    EXPECT_EQ(command.out, "o");
+    EXPECT_EQ(command.jobs, 3);
+    EXPECT_EQ(command.seed, "0000000000000000000000000000002a");
+    EXPECT_TRUE(command.json);
+    EXPECT_TRUE(command.quiet);
+}
+
+TEST(CommandLine, LeavesWhatIsNotGivenEmpty) {
+    const GradeCommand command = gradeCommand({"grade", "a.zip"});
+    EXPECT_TRUE(command.rubric.empty());
+    EXPECT_TRUE(command.out.empty());
+    EXPECT_TRUE(command.seed.empty());
+    EXPECT_GE(command.jobs, 1);
+    EXPECT_FALSE(command.json);
+    EXPECT_FALSE(command.quiet);
+}
+
+TEST(CommandLine, ReadsTheOtherVerbs) {
+    EXPECT_FALSE(gradeCommand({"check", "."}).marked);
+    EXPECT_TRUE(std::holds_alternative<DoctorCommand>(parseCommandLine({"doctor"})));
+    EXPECT_EQ(std::get<LintCommand>(parseCommandLine({"lint", "r.toml"})).rubric, "r.toml");
+    EXPECT_EQ(std::get<StarterCommand>(parseCommandLine({"starter", "d"})).folder, "d");
+}
+
+TEST(CommandLine, TakesAFileNameThatLooksLikeAnOptionAfterTwoDashes) {
+    EXPECT_EQ(gradeCommand({"grade", "--", "-rf"}).paths,
+              (std::vector<std::filesystem::path>{"-rf"}));
+}
+
+TEST(CommandLine, SuggestsWhatWasMeant) {
+    EXPECT_EQ(mistake({"gread", "x"}), "there is no verb \"gread\" (did you mean \"grade\"?)");
+    EXPECT_EQ(mistake({"grade", "--rubik", "x", "y"}),
+              "there is no option --rubik (did you mean \"--rubric\"?)\n"
+              "norigrade grade --help tells more");
+    EXPECT_EQ(mistake({"grade", "--sede=1", "y"}),
+              "there is no option --sede (did you mean \"--seed\"?)\n"
+              "norigrade grade --help tells more");
+}
+
+TEST(CommandLine, RefusesWhatIsMissingOrOutOfRange) {
+    EXPECT_NE(mistake({"grade"}).find("PATH"), std::string::npos);
+    EXPECT_NE(mistake({"check", "a", "b"}), "no mistake");
+    EXPECT_NE(mistake({"doctor", "a"}), "no mistake");
+    EXPECT_NE(mistake({"lint"}), "no mistake");
+    for (const char *seed : {"", "g", "0x1", "-1", "123456789012345678901234567890123"})
+        EXPECT_NE(mistake({"grade", "a", "--seed", seed}), "no mistake") << seed;
+    for (const char *jobs : {"0", "-1", "257", "many", "1.5", ""})
+        EXPECT_NE(mistake({"grade", "a", "--jobs", jobs}), "no mistake") << jobs;
+}
+
+TEST(CommandLine, GivesHelpWithExamplesForEachVerb) {
+    EXPECT_NE(printed({}).find("norigrade grade p2_123456_654321.zip"), std::string::npos);
+    EXPECT_NE(printed({"--help"}).find("Exit codes"), std::string::npos);
+    for (const char *verb : {"grade", "check", "doctor", "lint", "starter"}) {
+        EXPECT_NE(printed({verb, "--help"}).find("Example"), std::string::npos) << verb;
+        EXPECT_NE(printed({verb, "--help"}).find(std::string("norigrade ") + verb),
+                  std::string::npos);
+        EXPECT_NE(printed({"--help"}).find(verb), std::string::npos) << verb;
+    }
+}
+
+TEST(CommandLine, SaysItsVersion) {
+    EXPECT_EQ(printed({"--version"}).substr(0, 10), "norigrade ");
+}
+
+TEST(FreshSeed, IsThirtyTwoDigitsThatDoNotRepeat) {
+    std::set<std::string> seeds;
+    for (int i = 0; i < 100; ++i) {
+        const std::string seed = freshSeed();
+        EXPECT_EQ(seed.size(), 32u);
+        EXPECT_EQ(seed.find_first_not_of("0123456789abcdef"), std::string::npos);
+        EXPECT_TRUE(seeds.insert(seed).second);
+    }
+}
+
+} // namespace
+} // namespace grader
