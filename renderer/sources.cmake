@@ -12,6 +12,7 @@ set(NORI_CORE_SOURCES
     object.cpp
     parser.cpp
     proplist.cpp
+    render.cpp
     scene_text.cpp
     warp.cpp)
 

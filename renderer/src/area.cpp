@@ -89,6 +89,11 @@ public:
         return radiance().getLuminance();
     }
 
+    // graded: else
+    //# // For headers of yours that ask every emitter for one of these.
+    //# Color3f radiance() const { return m_scale * m_radiance->eval(Point2f(0.5f)); }
+    //# Color3f power() const { return radiance(); }
+    //# float getLuminance() const { return radiance().getLuminance(); }
     // graded: end
 
     void setParent(NoriObject *parent) override {

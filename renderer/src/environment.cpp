@@ -210,6 +210,11 @@ public:
         return radiance().getLuminance();
     }
 
+    // graded: else
+    //# // For headers of yours that ask every emitter for one of these.
+    //# Color3f radiance() const { return m_radiance; }
+    //# Color3f power() const { return radiance(); }
+    //# float getLuminance() const { return radiance().getLuminance(); }
     // graded: end
 
     std::string toString() const override {

@@ -20,8 +20,8 @@ public:
 
     void prepare(const ImageBlock &block) override {
         const Point2i &offset = block.getOffset();
-        m_random.seed(static_cast<uint64_t>(int64_t{offset.x()} + m_seed),
-                      static_cast<uint64_t>(int64_t{offset.y()} + m_seed));
+        m_random.seed(static_cast<uint64_t>(offset.x()) + mix(static_cast<uint64_t>(m_seed)),
+                      static_cast<uint64_t>(offset.y()) + mix(~static_cast<uint64_t>(m_seed)));
     }
 
     void generate() override {}
@@ -42,6 +42,16 @@ public:
     }
 
 private:
+    /// Nori adds the seed to the block's position: seeds that differ by the size of a block then
+    /// give the same noise, shifted by a block. Seed 0 keeps Nori's numbers.
+    uint64_t mix(uint64_t z) const {
+        if (m_seed == 0)
+            return 0;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull; // SplitMix64
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+        return z ^ (z >> 31);
+    }
+
     int m_seed;
     pcg32 m_random;
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+/// What `nori` was asked to do.
+struct CommandLine {
+    std::string scene;
+    std::string output; ///< path without suffix; empty: beside the scene
+    int samplesPerPixel = 0;
+    std::optional<int> seed;
+    int threads = 0;
+    bool moments = false;
+    bool quiet = false;
+};
+
+/// \return  nothing when the program is done already (help, version, a mistake): `exitCode` is set
+std::optional<CommandLine> parseCommandLine(int argc, char **argv, int &exitCode);
