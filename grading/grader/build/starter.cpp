@@ -88,18 +88,17 @@ void writeStarter(const std::filesystem::path &folder) {
                   fmt::format("# Add the files that you write, such as src/direct_ems.cpp.\n"
                               "set(NORI_SOURCES\n{})\n",
                               sources));
-    for (const char *part :
-         {"renderer/starter", "renderer/app", "scenes/assignment-2", "scenes/meshes"}) {
-        const fs::path from = projectFolder() / part;
-        for (const auto &entry : fs::recursive_directory_iterator(from)) {
-            if (!entry.is_regular_file() || entry.path().filename() == "CMakeLists.app.txt")
-                continue;
-            const fs::path name = entry.path().lexically_relative(from);
-            const std::string_view target = part;
-            const fs::path below = target == "renderer/starter" ? ""
-                                   : target == "renderer/app"   ? "app"
-                                                                : part;
-            writeTextFile(folder / below / name, readTextFile(entry.path()));
+    const std::pair<const char *, const char *> folders[] = {
+        {"renderer/starter", ""},
+        {"renderer/app", "app"},
+        {"scenes/assignment-2", "scenes/assignment-2"},
+        {"scenes/meshes", "scenes/meshes"}};
+    for (const auto &[from, to] : folders) {
+        const fs::path source = projectFolder() / from;
+        for (const auto &entry : fs::recursive_directory_iterator(source)) {
+            if (entry.is_regular_file())
+                writeTextFile(folder / to / entry.path().lexically_relative(source),
+                              readTextFile(entry.path()));
         }
     }
 }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <grader/build/variant_builder.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace grader {
+namespace {
+
+/// One cache for all tests of this program: the base is compiled once.
+class VariantBuilderTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        ASSERT_GE(s_sandbox.level(), SandboxLevel::S2) << s_sandbox.findings().back();
+    }
+
+    static Submission handIn(std::vector<SubmittedFile> files) {
+        Submission submission;
+        submission.name = "p2_1_2";
+        submission.files = std::move(files);
+        return submission;
+    }
+
+    static SubmittedFile source(const std::string &name, const std::string &text) {
+        return {"src/" + name, name, FileRole::Source, "", text};
+    }
+
+    static inline const Sandbox s_sandbox{SandboxLevel::S3};
+    static inline const Cache s_cache{std::filesystem::temp_directory_path() /
+                                      "norigrade-test-cache"};
+};
+
+const std::string &referenceUnit(const std::string &name) {
+    return referenceBase().units.at(name);
+}
+
+TEST_F(VariantBuilderTest, BuildsOurOwnUpstreamOverTheStarterInBothConventions) {
+    Compiler compiler(s_sandbox, s_cache);
+    const Submission empty = handIn({});
+    VariantBuilder builder(compiler, empty, 2);
+    for (const Origin origin : {Origin::Reference, Origin::ReferenceValue}) {
+        const Variant variant = builder.build({"ours",
+                                               {{"warp.cpp", origin},
+                                                {"mesh.cpp", origin},
+                                                {"area.cpp", origin},
+                                                {"environment.cpp", origin}}});
+        EXPECT_TRUE(variant.executable.has_value());
+        for (const BuildFailure &failure : variant.failures)
+            ADD_FAILURE() << failure.describe();
+    }
+}
+
+TEST_F(VariantBuilderTest, SurvivesAddedPureVirtualsInTheEmitter) {
+    Compiler compiler(s_sandbox, s_cache);
+    std::string emitter = starterBase().headers.at("nori/emitter.h");
+    const std::string mark = "virtual Color3f eval(const EmitterQueryRecord &lRec) const = 0;";
+    const std::size_t at = emitter.find(mark);
+    ASSERT_NE(at, std::string::npos);
+    emitter.insert(at + mark.size(), "\n    virtual Color3f radiance() const = 0;\n"
+                                     "    virtual Color3f power() const = 0;\n"
+                                     "    virtual float getLuminance() const = 0;\n");
+    const Submission submission =
+        handIn({{"src/emitter.h", "emitter.h", FileRole::Header, "", emitter}});
+    VariantBuilder builder(compiler, submission, 2);
+    const Variant variant = builder.build({"ours", {{"area.cpp", Origin::Reference}}});
+    EXPECT_TRUE(variant.executable.has_value());
+    for (const BuildFailure &failure : variant.failures)
+        ADD_FAILURE() << failure.describe();
+}
+
+TEST_F(VariantBuilderTest, LetsTheStarterStandInForAFileThatDoesNotCompile) {
+    Compiler compiler(s_sandbox, s_cache);
+    const Submission submission = handIn({source("scene.cpp", referenceUnit("scene.cpp")),
+                                          source("warp.cpp", referenceUnit("warp.cpp"))});
+    VariantBuilder builder(compiler, submission, 2);
+    // Our scene.cpp needs the members that the starter's scene.h does not have.
+    const auto failure = builder.failureOf("scene.cpp");
+    ASSERT_TRUE(failure.has_value());
+    EXPECT_EQ(failure->probablyIn, "scene.h");
+    EXPECT_FALSE(builder.failureOf("warp.cpp").has_value());
+    const Variant variant =
+        builder.build({"student", {{"scene.cpp", Origin::Student}, {"warp.cpp", Origin::Student}}});
+    EXPECT_TRUE(variant.executable.has_value());
+    EXPECT_EQ(variant.failures.size(), 1u);
+}
+
+TEST_F(VariantBuilderTest, LinksExtraFilesOnlyWhereTheyAreNeeded) {
+    Compiler compiler(s_sandbox, s_cache);
+    std::string warp = referenceUnit("warp.cpp");
+    warp += "\nfloat helper();\nfloat useHelper() { return helper(); }\n";
+    const SubmittedFile needed{"src/ayuda ñ.cpp", "ayuda ñ.cpp", FileRole::Extra, "",
+                               "float helper() { return 1; }\n"};
+    // A copy of a file that is there already: its definitions must not clash.
+    const SubmittedFile copy{"src/old.cpp", "old.cpp", FileRole::Extra, "",
+                             referenceUnit("warp.cpp")};
+    const Submission submission = handIn({source("warp.cpp", warp), needed, copy});
+    VariantBuilder builder(compiler, submission, 2);
+    const Variant variant = builder.build({"student", {{"warp.cpp", Origin::Student}}});
+    EXPECT_TRUE(variant.executable.has_value())
+        << (variant.failures.empty() ? "" : variant.failures[0].describe());
+
+    const Submission without = handIn({source("warp.cpp", warp)});
+    VariantBuilder lacking(compiler, without, 2);
+    const Variant broken = lacking.build({"student", {{"warp.cpp", Origin::Student}}});
+    EXPECT_FALSE(broken.executable.has_value());
+    ASSERT_FALSE(broken.failures.empty());
+    EXPECT_NE(broken.failures[0].missing.find("helper"), std::string::npos)
+        << broken.failures[0].describe();
+}
+
+TEST_F(VariantBuilderTest, ShowsNoHostFileToTheCompiler) {
+    Compiler compiler(s_sandbox, s_cache);
+    const Submission submission =
+        handIn({source("warp.cpp", "#include \"/etc/passwd\"\n"),
+                source("mesh.cpp", "__asm__(\".incbin \\\"/etc/passwd\\\"\");\n")});
+    VariantBuilder builder(compiler, submission, 2);
+    EXPECT_TRUE(builder.failureOf("warp.cpp").has_value());
+    EXPECT_TRUE(builder.failureOf("mesh.cpp").has_value());
+}
+
+} // namespace
+} // namespace grader
