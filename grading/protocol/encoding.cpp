@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <protocol/request.h>
+
 #include <cstring>
 #include <limits>
 #include <stdexcept>
-
-#include <protocol/request.h>
+#include <utility>
 
 namespace protocol {
 
@@ -32,15 +33,23 @@ public:
     }
 
     void putSize(std::size_t size) {
-        if (size > std::numeric_limits<std::uint32_t>::max())
-            throw std::length_error("protocol: more than 4 GiB in one request group");
+        if (size > kLargest)
+            throwTooLarge();
         put(static_cast<std::uint32_t>(size));
     }
 
     std::string take() { return std::move(m_bytes); }
 
 private:
+    static constexpr std::size_t kLargest = std::numeric_limits<std::uint32_t>::max();
+
+    [[noreturn]] static void throwTooLarge() {
+        throw std::length_error("protocol: more than 4 GiB in one request group");
+    }
+
     void append(const void *data, std::size_t size) {
+        if (size > kLargest - m_bytes.size())
+            throwTooLarge();
         if (size != 0)
             m_bytes.append(static_cast<const char *>(data), size);
     }

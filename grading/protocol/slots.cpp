@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <protocol/request.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
-
-#include <protocol/request.h>
 
 namespace protocol {
 
@@ -78,9 +78,11 @@ Response readSlot(const SlotLayout &layout, const RequestGroup &group, std::size
     if (!known || head.messageSize > kMaxMessage)
         return response;
     response.state = head.state;
-    response.message.assign(head.message, head.messageSize);
-    response.cpuSeconds = std::isfinite(head.cpuSeconds) ? head.cpuSeconds : 0;
-    if (head.state == State::Done) {
+    if (std::isfinite(head.cpuSeconds) && head.cpuSeconds >= 0)
+        response.cpuSeconds = head.cpuSeconds;
+    if (head.state == State::Threw) {
+        response.message.assign(head.message, head.messageSize);
+    } else {
         response.values.resize(group.requests[request].resultSize());
         if (!response.values.empty())
             std::memcpy(response.values.data(), slot + sizeof head,
