@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace probe {
 
 namespace {
 
-using nori::Color3f;
 using nori::EmitterQueryRecord;
 using nori::Point2f;
 using nori::Point3f;
@@ -31,19 +31,41 @@ EmitterQueryRecord emptyRecord(const Point3f &ref) {
     return record;
 }
 
+/// The value of `call()`; what it throws says in which function.
+template <typename Call>
+auto named(const char *function, const Call &call) {
+    try {
+        return call();
+    } catch (const std::exception &error) {
+        throw std::runtime_error(std::string(function) + ": " + error.what());
+    } catch (...) {
+        throw std::runtime_error(std::string(function) + ": something that is no std::exception");
+    }
+}
+
+nori::Color3f evalOf(const nori::Emitter &emitter, const EmitterQueryRecord &record) {
+    return named("Emitter::eval", [&] { return emitter.eval(record); });
+}
+
+float pdfOf(const nori::Emitter &emitter, const EmitterQueryRecord &record) {
+    return named("Emitter::pdf", [&] { return emitter.pdf(record); });
+}
+
 void appendSample(const nori::Emitter &emitter, const float *&at, Values &values) {
-    EmitterQueryRecord record = emptyRecord(readVector<Point3f>(at));
-    const Point2f sample = readVector<Point2f>(at);
+    EmitterQueryRecord record = emptyRecord(probe::readVector<Point3f>(at));
+    const Point2f sample = probe::readVector<Point2f>(at);
     const float optional = *at++;
-    append(values, emitter.sample(record, sample, optional));
-    append(values, record.p);
-    append(values, record.n);
-    append(values, record.uv);
-    append(values, record.wi);
+    const nori::Color3f value =
+        named("Emitter::sample", [&] { return emitter.sample(record, sample, optional); });
+    probe::append(values, value);
+    probe::append(values, record.p);
+    probe::append(values, record.n);
+    probe::append(values, record.uv);
+    probe::append(values, record.wi);
     values.push_back(record.dist);
     values.push_back(record.pdf);
-    values.push_back(emitter.pdf(EmitterQueryRecord(record)));
-    append(values, emitter.eval(EmitterQueryRecord(record)));
+    values.push_back(pdfOf(emitter, EmitterQueryRecord(record)));
+    probe::append(values, evalOf(emitter, EmitterQueryRecord(record)));
     values.push_back(record.emitter == &emitter ? 1.0f : 0.0f);
 }
 
@@ -54,8 +76,8 @@ void appendEval(const nori::Emitter &emitter, const float *&at, Values &values) 
     const Point2f uv = readVector<Point2f>(at);
     EmitterQueryRecord record(&emitter, ref, p, n, uv);
     record.pdf = std::numeric_limits<float>::quiet_NaN();
-    append(values, emitter.eval(record));
-    values.push_back(emitter.pdf(record));
+    probe::append(values, evalOf(emitter, EmitterQueryRecord(record)));
+    values.push_back(pdfOf(emitter, EmitterQueryRecord(record)));
 }
 
 void appendPick(const nori::Scene &scene, float u, Values &values) {

@@ -26,15 +26,18 @@ Memory map(int descriptor, int protection) {
     if (fstat(descriptor, &status) != 0)
         throw std::runtime_error("the grader's memory is not there");
     const auto size = static_cast<std::size_t>(status.st_size);
+    if (size == 0) // nothing was asked; mmap() refuses nothing
+        return {};
     void *data = mmap(nullptr, size, protection, MAP_SHARED, descriptor, 0);
     if (data == MAP_FAILED)
         throw std::runtime_error("the grader's memory cannot be mapped");
     return {static_cast<char *>(data), size};
 }
 
+/// Of this thread: what a submission burns in others is seen from outside.
 double cpuSeconds() {
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -52,7 +55,7 @@ probe::Values answer(const protocol::Request &request, probe::SceneStore &scenes
     case Op::EmitterPick:
         return probe::answerEmitter(request, scenes.get(request.text));
     case Op::Radiance:
-        return probe::answerRadiance(request, scenes.get(request.text));
+        return probe::answerRadiance(request, scenes.getPrepared(request.text));
     case Op::SceneFacts:
         return probe::answerFacts(scenes.get(request.text));
     }
@@ -64,8 +67,12 @@ protocol::Response respond(const protocol::Request &request, probe::SceneStore &
     const double start = cpuSeconds();
     try {
         response.values = answer(request, scenes);
+        // A header of the submission may have changed what a function returns.
+        if (response.values.size() != request.resultSize())
+            throw std::length_error("the answer has a wrong number of components");
         response.state = protocol::State::Done;
     } catch (const std::exception &error) {
+        response.values.clear(); // of a wrong size
         response.state = protocol::State::Threw;
         response.message = error.what();
     } catch (...) {

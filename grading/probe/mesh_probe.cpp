@@ -24,9 +24,9 @@ Values answerMesh(const protocol::Request &request, const nori::Scene &scene) {
         nori::Normal3f n;
         nori::Point2f uv;
         mesh.samplePosition(readVector<nori::Point2f>(at), p, n, uv);
-        append(values, p);
-        append(values, n);
-        append(values, uv);
+        probe::append(values, p);
+        probe::append(values, n);
+        probe::append(values, uv);
     }
     return values;
 }

@@ -5,7 +5,7 @@
 #include <protocol/request.h>
 
 #include <map>
-#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,15 +16,24 @@ namespace probe {
 /// Scenes of the request group, loaded when first asked for.
 class SceneStore {
 public:
-    /// Writes the group's files below a private temporary folder.
+    /// Writes the group's files below the folder `scene` of the working folder: in the box, that
+    /// is /tmp/scene.
     /// \throws std::runtime_error  if a name leads out of it, or it cannot be written
     explicit SceneStore(const std::vector<protocol::File> &files);
 
     /// \throws whatever loading throws; std::runtime_error if the file holds no scene
     nori::Scene &get(const std::string &name);
 
+    /// The scene, with Integrator::preprocess() called once: for Li alone, so that a mistake in it
+    /// costs no answer about a mesh or an emitter.
+    /// \throws as get(), and whatever preprocess() throws
+    nori::Scene &getPrepared(const std::string &name);
+
 private:
-    std::map<std::string, nori::Scene *> m_scenes; // never destroyed: the process just ends
+    std::string m_root; ///< absolute: a submission may change the working folder
+    // Never destroyed: the process just ends.
+    std::map<std::string, nori::Scene *> m_scenes;
+    std::set<std::string> m_prepared;
 };
 
 using Values = std::vector<float>;
@@ -36,7 +45,8 @@ Values answerEmitter(const protocol::Request &request, const nori::Scene &scene)
 Values answerRadiance(const protocol::Request &request, nori::Scene &scene);
 Values answerFacts(const nori::Scene &scene);
 
-// Reading and writing rows of floats.
+// Reading and writing rows of floats. Call append() by its full name: for an argument of a type of
+// Nori's, a function `append` of the submission's would be looked up as well.
 template <typename V>
 V readVector(const float *&at) {
     V v;

@@ -72,7 +72,7 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
         const nori::Ray3f ray(origin, direction);
         sampler.startRay(request.seed, index);
         for (std::uint32_t i = 0; i < request.repeats; ++i)
-            append(values, integrator->Li(&scene, &sampler, ray));
+            probe::append(values, integrator->Li(&scene, &sampler, ray));
     }
     return values;
 }

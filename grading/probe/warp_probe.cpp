@@ -20,43 +20,69 @@ struct WarpRow {
     float (*density)(const float *point, float parameter);
 };
 
-template <auto Function>
-void sampleOf(const Point2f &u, float, Values &out) {
-    append(out, Function(u));
+Point2f planar(const float *point) {
+    return Point2f(point[0], point[1]);
 }
 
-template <float (*Function)(const Point2f &)>
-float planarDensity(const float *point, float) {
-    return Function(Point2f(point[0], point[1]));
+Vector3f direction(const float *point) {
+    return Vector3f(point[0], point[1], point[2]);
 }
 
-template <float (*Function)(const Vector3f &)>
-float directionDensity(const float *point, float) {
-    return Function(Vector3f(point[0], point[1], point[2]));
-}
-
-void sampleBeckmann(const Point2f &u, float alpha, Values &out) {
-    append(out, Warp::squareToBeckmann(u, alpha));
-}
-
-float beckmannDensity(const float *point, float alpha) {
-    return Warp::squareToBeckmannPdf(Vector3f(point[0], point[1], point[2]), alpha);
-}
-
+// Calls rather than addresses of functions: a submission's header may overload them, or take the
+// argument by value.
 const WarpRow kWarps[] = {
-    {"square", sampleOf<&Warp::squareToUniformSquare>,
-     planarDensity<&Warp::squareToUniformSquarePdf>},
-    {"tent", sampleOf<&Warp::squareToTent>, planarDensity<&Warp::squareToTentPdf>},
-    {"disk", sampleOf<&Warp::squareToUniformDisk>, planarDensity<&Warp::squareToUniformDiskPdf>},
-    {"triangle", sampleOf<&Warp::squareToUniformTriangle>,
-     planarDensity<&Warp::squareToUniformTrianglePdf>},
-    {"sphere", sampleOf<&Warp::squareToUniformSphere>,
-     directionDensity<&Warp::squareToUniformSpherePdf>},
-    {"hemisphere", sampleOf<&Warp::squareToUniformHemisphere>,
-     directionDensity<&Warp::squareToUniformHemispherePdf>},
-    {"cosine_hemisphere", sampleOf<&Warp::squareToCosineHemisphere>,
-     directionDensity<&Warp::squareToCosineHemispherePdf>},
-    {"beckmann", sampleBeckmann, beckmannDensity},
+    {"square",
+     [](const Point2f &u, float, Values &out) {
+         probe::append(out, Warp::squareToUniformSquare(u));
+     },
+     [](const float *x, float) -> float {
+         return Warp::squareToUniformSquarePdf(planar(x));
+     }},
+    {"tent",
+     [](const Point2f &u, float, Values &out) { probe::append(out, Warp::squareToTent(u)); },
+     [](const float *x, float) -> float {
+         return Warp::squareToTentPdf(planar(x));
+     }},
+    {"disk",
+     [](const Point2f &u, float, Values &out) { probe::append(out, Warp::squareToUniformDisk(u)); },
+     [](const float *x, float) -> float {
+         return Warp::squareToUniformDiskPdf(planar(x));
+     }},
+    {"triangle",
+     [](const Point2f &u, float, Values &out) {
+         probe::append(out, Warp::squareToUniformTriangle(u));
+     },
+     [](const float *x, float) -> float {
+         return Warp::squareToUniformTrianglePdf(planar(x));
+     }},
+    {"sphere",
+     [](const Point2f &u, float, Values &out) {
+         probe::append(out, Warp::squareToUniformSphere(u));
+     },
+     [](const float *x, float) -> float {
+         return Warp::squareToUniformSpherePdf(direction(x));
+     }},
+    {"hemisphere",
+     [](const Point2f &u, float, Values &out) {
+         probe::append(out, Warp::squareToUniformHemisphere(u));
+     },
+     [](const float *x, float) -> float {
+         return Warp::squareToUniformHemispherePdf(direction(x));
+     }},
+    {"cosine_hemisphere",
+     [](const Point2f &u, float, Values &out) {
+         probe::append(out, Warp::squareToCosineHemisphere(u));
+     },
+     [](const float *x, float) -> float {
+         return Warp::squareToCosineHemispherePdf(direction(x));
+     }},
+    {"beckmann",
+     [](const Point2f &u, float alpha, Values &out) {
+         probe::append(out, Warp::squareToBeckmann(u, alpha));
+     },
+     [](const float *x, float alpha) -> float {
+         return Warp::squareToBeckmannPdf(direction(x), alpha);
+     }},
 };
 
 const WarpRow &findWarp(const std::string &id) {
