@@ -55,22 +55,22 @@ ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric) {
 
 } // namespace
 
-ExitCode run(const GradeCommand &given) {
-    if (const std::string mistake = pathMistake(given); !mistake.empty())
+ExitCode run(const GradeCommand &command) {
+    if (const std::string mistake = pathMistake(command); !mistake.empty())
         return run(UsageMistake{mistake});
     Rubric rubric;
     try {
-        rubric = loadRubric(given.rubric);
+        rubric = loadRubric(command.rubric);
     } catch (const GraderError &error) {
         return run(UsageMistake{error.what()});
     }
-    GradeCommand command = given;
-    if (command.seed.empty())
-        command.seed = freshSeed();
-    if (command.out.empty() && command.marked)
-        command.out = newResultsFolder();
+    GradeCommand decided = command;
+    if (decided.seed.empty())
+        decided.seed = freshSeed();
+    if (decided.out.empty() && decided.marked)
+        decided.out = newResultsFolder();
     try {
-        return gradeWith(command, rubric);
+        return gradeWith(decided, rubric);
     } catch (const SandboxTooWeak &error) {
         complain(error.what());
         return ExitCode::SandboxTooLow;

@@ -128,7 +128,7 @@ private:
     /// Takes a page name that no other hand-in of this run has.
     std::string newPageName(const std::string &name) {
         for (std::size_t before = 0;; ++before) {
-            const std::string page = pageName(name, before);
+            std::string page = pageName(name, before);
             if (m_pages.insert(page).second)
                 return page;
         }

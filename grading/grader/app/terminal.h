@@ -27,7 +27,9 @@ public:
     ~ProgressLine() { clear(); }
 
     ProgressLine(const ProgressLine &) = delete;
+    ProgressLine(ProgressLine &&) = delete;
     ProgressLine &operator=(const ProgressLine &) = delete;
+    ProgressLine &operator=(ProgressLine &&) = delete;
 
     /// Replaces the line; at most ten times in a second.
     /// \param fraction  done of this phase [0, 1]

@@ -42,7 +42,7 @@ std::string contentHash(std::string_view content) {
     if (EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr) !=
         1)
         throw GraderError("contentHash: SHA-256 is not available in libcrypto");
-    std::array<unsigned char, 2 * EVP_MAX_MD_SIZE> text{};
+    std::array<unsigned char, std::size_t{2} * EVP_MAX_MD_SIZE> text{};
     const int length = EVP_EncodeBlock(text.data(), digest.data(), static_cast<int>(size));
     return "sha256-" + std::string(text.begin(), text.begin() + length);
 }

@@ -87,7 +87,7 @@ std::string isolated(std::string_view text) {
 std::string itemTable(const SubmissionResult &result) {
     std::string html = "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Item</th>";
     if (result.marked)
-        html += "<th scope=\"col\" class=\"number\">Points</th>";
+        html += R"(<th scope="col" class="number">Points</th>)";
     html += "<th scope=\"col\">Verdict</th><th scope=\"col\">Reason</th></tr></thead>\n<tbody>\n";
     for (const ItemResult &item : result.items) {
         html += fmt::format("<tr><th scope=\"row\">{}{}</th>", escapeHtml(item.title),
@@ -208,8 +208,8 @@ std::string htmlPage(const SubmissionResult &result, const Provenance &provenanc
 std::string pageName(const std::string &submissionName, std::size_t index) {
     std::string name;
     for (const char c : submissionName) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           (c >= '0' && c <= '9') || c == '_';
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
         if (plain)
             name += c;
         else if (!name.empty() && name.back() != '-')

@@ -148,27 +148,46 @@ void writeNotes(const SubmissionResult &result, const TerminalStyle &style, std:
                       style, text);
 }
 
+/// `a/b/` if that is the folder that all files are in, empty if there is none.
+std::string commonFolder(const std::vector<FileUse> &files) {
+    std::string common = files.empty() ? "" : files.front().path;
+    for (const FileUse &file : files) {
+        const auto end =
+            std::mismatch(common.begin(), common.end(), file.path.begin(), file.path.end());
+        common.erase(end.first, common.end());
+    }
+    return common.substr(0, common.rfind('/') + 1);
+}
+
+void writeNames(const std::string &label, const std::vector<std::string> &names,
+                const TerminalStyle &style, std::string &text) {
+    if (names.empty())
+        return;
+    const std::size_t count = std::min(names.size(), kMostNames);
+    std::string list = fmt::format("{}", fmt::join(names.begin(), names.begin() + count, ", "));
+    if (names.size() > count)
+        list += fmt::format(", and {} more", names.size() - count);
+    writeLabelled(label, list, style, text);
+}
+
 void writeFiles(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
+    const std::string folder = commonFolder(result.files);
     std::vector<std::string> used;
     std::vector<std::string> ignored;
     for (const FileUse &file : result.files) {
+        const std::string name = file.path.substr(folder.size());
         if (file.use == "ignored")
-            ignored.push_back(file.path + (file.reason.empty() ? "" : " (" + file.reason + ")"));
+            ignored.push_back(name + (file.reason.empty() ? "" : " (" + file.reason + ")"));
         else if (file.use == "source" || file.use == "extra" || file.use == "header")
-            used.push_back(file.path);
+            used.push_back(name);
     }
-    if (!used.empty() || !ignored.empty())
-        text += "\n";
-    for (const auto &[label, names] : {std::pair("used:", &used), {"ignored:", &ignored}}) {
-        if (names->empty())
-            continue;
-        const std::size_t count = std::min(names->size(), kMostNames);
-        std::string list =
-            fmt::format("{}", fmt::join(names->begin(), names->begin() + count, ", "));
-        if (names->size() > count)
-            list += fmt::format(", and {} more", names->size() - count);
-        writeLabelled(label, list, style, text);
-    }
+    if (used.empty() && ignored.empty())
+        return;
+    text += "\n";
+    if (!folder.empty())
+        writeLabelled("in:", folder, style, text);
+    writeNames("used:", used, style, text);
+    writeNames("ignored:", ignored, style, text);
 }
 
 } // namespace

@@ -40,11 +40,9 @@ bool isInvisible(UChar32 c) {
 std::string safe(std::string_view text, bool keepLines) {
     icu::UnicodeString kept;
     forEachCodePoint(decode(text), [&](UChar32 c) {
-        if (c == '\n' && keepLines)
-            kept.append(c);
-        else if (c == '\n' || c == '\t')
+        if ((c == '\n' && !keepLines) || c == '\t')
             kept.append(UChar32{' '});
-        else if (!isInvisible(c))
+        else if (c == '\n' || !isInvisible(c))
             kept.append(c);
     });
     std::string result;

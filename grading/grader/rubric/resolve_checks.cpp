@@ -43,7 +43,7 @@ void requireKnown(const CheckOverride &change, const RubricItem &item,
     const auto elsewhere = std::find_if(
         table.begin(), table.end(), [&](const KnownCheck &known) { return known.id == change.id; });
     if (elsewhere != table.end())
-        throw GraderError(fmt::format("{}: check \"{}\" belongs to item \"{}\", not \"{}\"",
+        throw GraderError(fmt::format(R"({}: check "{}" belongs to item "{}", not "{}")",
                                       change.where, change.id, elsewhere->item, item.id));
     throw GraderError(fmt::format("{}: there is no check \"{}\"{}", change.where, change.id,
                                   suggestion(change.id, ofItem)));

@@ -31,7 +31,7 @@ std::optional<std::string> TomlTable::findText(std::string_view key) {
     const toml::node *node = find(key);
     if (node == nullptr)
         return std::nullopt;
-    const std::optional<std::string> value = node->value_exact<std::string>();
+    std::optional<std::string> value = node->value_exact<std::string>();
     if (!value)
         fail(key, fmt::format("{} must be a text in quotes", key));
     if (value->empty())
@@ -89,7 +89,7 @@ double TomlTable::number(std::string_view key, double least, double most) {
 }
 
 std::string TomlTable::identifier(std::string_view key) {
-    const std::string value = text(key);
+    std::string value = text(key);
     const bool plain = std::all_of(value.begin(), value.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
     });

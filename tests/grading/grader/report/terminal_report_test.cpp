@@ -53,15 +53,30 @@ TEST(TerminalReport, UsesEscapesOnlyWhenColourIsAskedForAndEndsEachOne) {
 }
 
 TEST(TerminalReport, CannotBeDrivenByAHandIn) {
-    const std::string plain = terminalReport(support::resultWith("x"), {});
-    const auto lines = std::count(plain.begin(), plain.end(), '\n');
     for (const std::string &hostile : support::hostileStrings()) {
+        const bool hasFolder = hostile.find('/') != std::string::npos;
+        const std::string plain = terminalReport(support::resultWith(hasFolder ? "a/x" : "x"), {});
+        const auto lines = std::count(plain.begin(), plain.end(), '\n');
         const std::string text = terminalReport(support::resultWith(hostile), {});
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines) << hostile;
         for (const char *part : {"\x1b", "\r", "\b", "\x07", "\x7f", "\xc2\x9b", "\xe2\x80\xae",
                                  "\xe2\x81\xa6", "\xe2\x80\xa8"})
             EXPECT_EQ(text.find(part), std::string::npos) << hostile;
     }
+}
+
+TEST(TerminalReport, NamesTheFolderThatAllFilesAreInOnce) {
+    SubmissionResult result = support::sampleResult();
+    result.files = {{"P2/src/warp.cpp", "source", ""}, {"P2/src/mesh.cpp", "source", ""}};
+    EXPECT_NE(terminalReport(result, {}).find("  in: P2/src/\n  used: warp.cpp, mesh.cpp\n"),
+              std::string::npos);
+    result.files.push_back({"P2/srcs.h", "header", ""});
+    EXPECT_NE(
+        terminalReport(result, {}).find("in: P2/\n  used: src/warp.cpp, src/mesh.cpp, srcs.h"),
+        std::string::npos);
+    result.files.resize(1);
+    EXPECT_NE(terminalReport(result, {}).find("in: P2/src/\n  used: warp.cpp\n"),
+              std::string::npos);
 }
 
 TEST(TerminalReport, SaysThatMarksAreNotFinal) {
