@@ -67,12 +67,24 @@ public:
             throw NoriException("The camera's image has %d x %d pixels; it needs at least one",
                                 m_size.x(), m_size.y());
         m_sampler = makeSampler();
-        m_samplesPerPixel = static_cast<int>(m_sampler->getSampleCount());
+        m_samplesPerPixel = options.samplesPerPixel > 0
+                                ? options.samplesPerPixel
+                                : static_cast<int>(m_sampler->getSampleCount());
+        if (m_samplesPerPixel <= 0)
+            throw NoriException("The sampler takes %d samples per pixel; it needs at least one",
+                                m_samplesPerPixel);
+        // before hours of rendering, not after
+        try {
+            m_image = std::make_unique<ImageBlock>(m_size, m_camera.getReconstructionFilter());
+            if (options.moments)
+                m_moments.resize(static_cast<size_t>(m_size.x()) * static_cast<size_t>(m_size.y()));
+        } catch (const std::bad_alloc &) {
+            throw NoriException("There is not enough memory for an image of %d x %d pixels",
+                                m_size.x(), m_size.y());
+        }
         m_columns = (m_size.x() + NORI_BLOCK_SIZE - 1) / NORI_BLOCK_SIZE;
         m_blocks.resize(static_cast<size_t>(m_columns) *
                         static_cast<size_t>((m_size.y() + NORI_BLOCK_SIZE - 1) / NORI_BLOCK_SIZE));
-        if (options.moments)
-            m_moments.resize(static_cast<size_t>(m_size.x()) * static_cast<size_t>(m_size.y()));
     }
 
     RenderResult run() {
@@ -84,35 +96,28 @@ public:
             tbb::parallel_for(size_t(0), m_blocks.size(), [this](size_t i) { renderBlock(i); });
         }
 
-        ImageBlock image(m_size, m_camera.getReconstructionFilter());
-        image.clear();
-        RenderResult result;
         for (const auto &block : m_blocks) {
             if (block != nullptr)
-                image.put(*block);
-            else
-                result.complete = false;
+                m_image->put(*block);
         }
-        const std::unique_ptr<Bitmap> bitmap(image.toBitmap());
+        RenderResult result;
+        result.complete = m_done == m_blocks.size();
+        const std::unique_ptr<Bitmap> bitmap(m_image->toBitmap());
         result.image = *bitmap;
         result.moments = std::move(m_moments);
         result.samplesPerPixel = m_samplesPerPixel;
-        result.droppedSamples = image.getInvalidSampleCount();
+        result.droppedSamples = m_image->getInvalidSampleCount();
         return result;
     }
 
 private:
     std::unique_ptr<Sampler> makeSampler() const {
-        const int scenes = static_cast<int>(m_scene.getSampler()->getSampleCount());
-        const int count = m_options.samplesPerPixel > 0 ? m_options.samplesPerPixel : scenes;
-        if (count <= 0)
-            throw NoriException("The sampler takes %d samples per pixel; it needs at least one",
-                                count);
-        if (!m_options.seed && count == scenes)
+        if (!m_options.seed)
             return m_scene.getSampler()->clone();
         PropertyList properties;
-        properties.setInteger("sampleCount", count);
-        properties.setInteger("seed", m_options.seed.value_or(0));
+        properties.setInteger("sampleCount",
+                              static_cast<int>(m_scene.getSampler()->getSampleCount()));
+        properties.setInteger("seed", *m_options.seed);
         return std::unique_ptr<Sampler>(
             static_cast<Sampler *>(NoriObjectFactory::createInstance("independent", properties)));
     }
@@ -120,6 +125,8 @@ private:
     bool isCancelled() const { return m_options.cancelled != nullptr && *m_options.cancelled; }
 
     void renderBlock(size_t index) {
+        if (isCancelled())
+            return;
         const Point2i offset(static_cast<int>(index) % m_columns * NORI_BLOCK_SIZE,
                              static_cast<int>(index) / m_columns * NORI_BLOCK_SIZE);
         const Vector2i size = (m_size - offset).cwiseMin(NORI_BLOCK_SIZE);
@@ -128,24 +135,28 @@ private:
         block->clear();
         const std::unique_ptr<Sampler> sampler = m_sampler->clone();
         sampler->prepare(*block);
+        bool complete = true;
         for (int y = 0; y < size.y(); ++y) {
-            for (int x = 0; x < size.x(); ++x) {
-                if (isCancelled())
-                    return;
-                renderPixel(Point2i(x + offset.x(), y + offset.y()), *sampler, *block);
-            }
+            for (int x = 0; x < size.x(); ++x)
+                complete = complete &&
+                           renderPixel(Point2i(x + offset.x(), y + offset.y()), *sampler, *block);
         }
         m_blocks[index] = std::move(block);
-        if (m_options.progress) {
-            const std::lock_guard<std::mutex> lock(m_mutex);
-            m_options.progress(static_cast<double>(++m_done) /
-                               static_cast<double>(m_blocks.size()));
-        }
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_done += complete ? 1 : 0;
+        if (m_options.progress)
+            m_options.progress(static_cast<double>(m_done) / static_cast<double>(m_blocks.size()));
     }
 
-    void renderPixel(const Point2i &pixel, Sampler &sampler, ImageBlock &block) {
+    /// \return  false if cancelled; the samples until then count
+    bool renderPixel(const Point2i &pixel, Sampler &sampler, ImageBlock &block) {
         PixelSums sums;
+        bool complete = true;
         for (int i = 0; i < m_samplesPerPixel; ++i) {
+            if (isCancelled()) {
+                complete = false;
+                break;
+            }
             const Point2f position = pixel.cast<float>() + sampler.next2D();
             const Point2f aperture = sampler.next2D();
             Ray3f ray;
@@ -158,6 +169,7 @@ private:
         if (m_options.moments)
             m_moments[static_cast<size_t>(pixel.y()) * static_cast<size_t>(m_size.x()) +
                       static_cast<size_t>(pixel.x())] = sums.summary();
+        return complete;
     }
 
     Scene &m_scene;
@@ -167,10 +179,11 @@ private:
     std::unique_ptr<Sampler> m_sampler;
     int m_samplesPerPixel = 0;
     int m_columns = 0;
-    std::vector<std::unique_ptr<ImageBlock>> m_blocks; ///< null: not finished
+    std::vector<std::unique_ptr<ImageBlock>> m_blocks; ///< null: not begun
+    std::unique_ptr<ImageBlock> m_image;
     std::vector<PixelMoments> m_moments;
     std::mutex m_mutex; ///< of m_done and the progress callback
-    size_t m_done = 0;
+    size_t m_done = 0;  ///< finished blocks
 };
 
 } // namespace

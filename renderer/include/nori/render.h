@@ -15,7 +15,7 @@ struct RenderOptions {
     std::optional<int> seed;                       ///< nothing: the scene's sampler as it is
     int threads = 0;                               ///< 0: one per core
     bool moments = false;                          ///< fill in RenderResult::moments
-    const std::atomic<bool> *cancelled = nullptr;  ///< polled; blocks not finished stay black
+    const std::atomic<bool> *cancelled = nullptr;  ///< polled before every sample
     std::function<void(double fraction)> progress; ///< called by one thread at a time
 };
 
@@ -32,13 +32,13 @@ struct RenderResult {
     std::vector<PixelMoments> moments; ///< shape [rows, columns], row 0 on top; empty if not asked
     int samplesPerPixel = 0;
     size_t droppedSamples = 0; ///< negative or not finite
-    bool complete = true;      ///< false: cancelled
+    bool complete = true;      ///< false: cancelled; pixels not reached are black
 };
 
 /// Renders in blocks on several threads, in Nori's order of samples. The result has the same bits
 /// for any number of threads: every block has its own random numbers, and blocks are added up in a
 /// fixed order.
-/// \throws NoriException  if the image is empty or the number of samples is none
+/// \throws NoriException  if the image is empty or too large for the memory, or has no samples
 RenderResult render(Scene &scene, const RenderOptions &options = RenderOptions());
 
 NORI_NAMESPACE_END
