@@ -13,9 +13,9 @@ constexpr char kFooter[] =
     R"(Writes SCENE_SPP.exr and SCENE_SPP.png beside the scene, or STEM.exr and STEM.png.
 The header of the .exr says spp, seed, integrator, version and render time.
 With --moments the .exr has more layers, per pixel and of the unfiltered samples: count.Y, and
-variance.R/G/B and third.R/G/B (third central moment).
+mean.R/G/B, variance.R/G/B and third.R/G/B (third central moment).
 
-Ctrl-C stops and writes what is finished, marked `partial` in the header; twice stops at once.
+Ctrl-C stops and writes what is there, marked `partial` in the header; twice stops at once.
 
 Examples:
   nori scenes/assignment-2/cbox/cbox_ems.xml

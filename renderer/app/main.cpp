@@ -11,6 +11,7 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -37,7 +38,7 @@ void warn(const std::string &message) {
 
 std::unique_ptr<nori::Scene> loadScene(const std::string &file) {
     const std::filesystem::path path = file;
-    if (path.extension() != ".xml")
+    if (nori::toLower(path.extension().string()) != ".xml")
         throw nori::NoriException("%s: a scene file (.xml) is expected", file);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     nori::getFileResolver()->prepend(filesystem::path(folder));
@@ -52,14 +53,46 @@ std::unique_ptr<nori::Scene> loadScene(const std::string &file) {
 void warnAboutContents(const nori::Scene &scene) {
     if (scene.getMeshes().empty())
         warn("the scene holds no mesh; only the background is seen");
-    if (scene.getLights().empty())
-        warn("the scene holds no light");
+}
+
+/// Integrators such as `normals` need no light: only a black image tells.
+void warnAboutImage(const nori::RenderResult &result, const nori::Scene &scene) {
+    const bool black = std::all_of(result.image.data(), result.image.data() + result.image.size(),
+                                   [](const nori::Color3f &c) { return (c == 0.0f).all(); });
+    if (black && result.complete)
+        warn(scene.getLights().empty() ? "the image is black: the scene holds no light"
+                                       : "the image is black");
+    if (result.droppedSamples > 0)
+        warn(fmt::format("{} samples were negative, infinite or not a number, and were dropped",
+                         result.droppedSamples));
 }
 
 /// `Independent[sampleCount=4, seed=0]` -> `Independent`.
 std::string className(const nori::NoriObject &object) {
     const std::string text = object.toString();
     return text.substr(0, text.find('['));
+}
+
+/// `Independent[sampleCount=4, seed=7]` -> `7`; a sampler of another form is given as it is.
+std::string seedOf(const nori::Sampler &sampler) {
+    std::string text = sampler.toString();
+    const std::string key = "seed=";
+    const size_t begin = text.find(key);
+    if (begin == std::string::npos)
+        return text;
+    return text.substr(begin + key.size(), text.find_first_of(",]", begin) - begin - key.size());
+}
+
+/// The images' path without suffix. A suffix in --output is taken off: `nori a.xml --output b.exr`
+/// can mean nothing else.
+std::string stemOf(const CommandLine &line, int samplesPerPixel) {
+    std::filesystem::path path = line.output;
+    if (line.output.empty())
+        return fmt::format("{}_{}",
+                           std::filesystem::path(line.scene).replace_extension("").string(),
+                           samplesPerPixel);
+    const std::string suffix = nori::toLower(path.extension().string());
+    return (suffix == ".exr" || suffix == ".png" ? path.replace_extension("") : path).string();
 }
 
 int run(const CommandLine &line) {
@@ -72,6 +105,12 @@ int run(const CommandLine &line) {
     options.threads = line.threads;
     options.moments = line.moments;
     options.cancelled = &cancelled;
+    const int samplesPerPixel = line.samplesPerPixel > 0
+                                    ? line.samplesPerPixel
+                                    : static_cast<int>(scene->getSampler()->getSampleCount());
+    const std::string stem = stemOf(line, samplesPerPixel);
+    requireWritable(stem);
+
     const auto start = std::chrono::steady_clock::now();
     nori::RenderResult result;
     {
@@ -83,18 +122,10 @@ int run(const CommandLine &line) {
     }
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (result.droppedSamples > 0)
-        warn(fmt::format("{} samples were negative, infinite or not a number, and were dropped",
-                         result.droppedSamples));
-
-    const std::string stem =
-        line.output.empty()
-            ? fmt::format("{}_{}", std::filesystem::path(line.scene).replace_extension("").string(),
-                          result.samplesPerPixel)
-            : line.output;
+    warnAboutImage(result, *scene);
     writeImage(result, stem,
                {{"spp", std::to_string(result.samplesPerPixel)},
-                {"seed", line.seed ? std::to_string(*line.seed) : "scene"},
+                {"seed", line.seed ? std::to_string(*line.seed) : seedOf(*scene->getSampler())},
                 {"integrator", className(*scene->getIntegrator())},
                 {"version", std::string("nori ") + kNoriVersion},
                 {"renderSeconds", fmt::format("{:.3f}", seconds)},
@@ -119,6 +150,7 @@ int main(int argc, char **argv) {
     action.sa_handler = onInterrupt;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is an error of its writer
     try {
         return run(*line);
     } catch (const std::exception &error) {
