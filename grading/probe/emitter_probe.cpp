@@ -53,7 +53,7 @@ float pdfOf(const nori::Emitter &emitter, const EmitterQueryRecord &record) {
 
 void appendSample(const nori::Emitter &emitter, const float *&at, Values &values) {
     EmitterQueryRecord record = emptyRecord(probe::readVector<Point3f>(at));
-    const Point2f sample = probe::readVector<Point2f>(at);
+    const auto sample = probe::readVector<Point2f>(at);
     const float optional = *at++;
     const nori::Color3f value =
         named("Emitter::sample", [&] { return emitter.sample(record, sample, optional); });
@@ -70,10 +70,10 @@ void appendSample(const nori::Emitter &emitter, const float *&at, Values &values
 }
 
 void appendEval(const nori::Emitter &emitter, const float *&at, Values &values) {
-    const Point3f ref = readVector<Point3f>(at);
-    const Point3f p = readVector<Point3f>(at);
-    const nori::Normal3f n = readVector<nori::Normal3f>(at);
-    const Point2f uv = readVector<Point2f>(at);
+    const auto ref = readVector<Point3f>(at);
+    const auto p = readVector<Point3f>(at);
+    const auto n = readVector<nori::Normal3f>(at);
+    const auto uv = readVector<Point2f>(at);
     EmitterQueryRecord record(&emitter, ref, p, n, uv);
     record.pdf = std::numeric_limits<float>::quiet_NaN();
     probe::append(values, evalOf(emitter, EmitterQueryRecord(record)));

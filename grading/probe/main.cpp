@@ -3,9 +3,9 @@
 
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
+#include <ctime>
 #include <exception>
 #include <stdexcept>
 

@@ -67,8 +67,8 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
     const float *at = request.values.data();
     const float *end = at + request.values.size();
     for (std::uint64_t index = 0; at < end; ++index) {
-        const nori::Point3f origin = readVector<nori::Point3f>(at);
-        const nori::Vector3f direction = readVector<nori::Vector3f>(at);
+        const auto origin = readVector<nori::Point3f>(at);
+        const auto direction = readVector<nori::Vector3f>(at);
         const nori::Ray3f ray(origin, direction);
         sampler.startRay(request.seed, index);
         for (std::uint32_t i = 0; i < request.repeats; ++i)

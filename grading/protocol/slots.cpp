@@ -23,7 +23,7 @@ struct SlotHead {
 };
 
 SlotHead readHead(const char *memory) {
-    SlotHead head;
+    SlotHead head{};
     std::memcpy(&head, memory, sizeof head);
     return head;
 }

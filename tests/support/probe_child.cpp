@@ -120,8 +120,8 @@ ProbeRun runProbe(const std::string &executable, const protocol::RequestGroup &g
 
 protocol::File sceneFile(const std::string &objects, const std::string &integrator,
                          const std::string &name) {
-    return {name, "<scene><integrator type=\"" + integrator + "\"/><camera type=\"perspective\"/>" +
-                      objects + "</scene>"};
+    return {name, R"(<scene><integrator type=")" + integrator +
+                      R"("/><camera type="perspective"/>)" + objects + "</scene>"};
 }
 
 protocol::Request sceneRequest(protocol::Op op, std::vector<float> values, std::uint32_t index) {

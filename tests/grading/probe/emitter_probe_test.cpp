@@ -138,7 +138,7 @@ TEST(EmitterProbe, CountsLightsAsTheSceneDoes) {
 /// The message of the exception that an EmitterSample on a faulty emitter ends with.
 std::string messageOf(const std::string &mistake) {
     protocol::RequestGroup group;
-    group.files = {test::sceneFile("<emitter type=\"faulty\"><string name=\"mistake\" value=\"" +
+    group.files = {test::sceneFile(R"(<emitter type="faulty"><string name="mistake" value=")" +
                                    mistake + "\"/></emitter>")};
     group.requests = {test::sceneRequest(Op::EmitterSample, {0, 0, 0, 0.5F, 0.5F, 0.5F})};
     const test::ProbeRun run = test::runProbe(kFaulty, group);

@@ -24,7 +24,7 @@ protocol::Request warpRequest() {
 /// A warp, a question to a faulty emitter, the warp again.
 protocol::RequestGroup around(const std::string &mistake) {
     protocol::RequestGroup group;
-    group.files = {test::sceneFile("<emitter type=\"faulty\"><string name=\"mistake\" value=\"" +
+    group.files = {test::sceneFile(R"(<emitter type="faulty"><string name="mistake" value=")" +
                                    mistake + "\"/></emitter>")};
     group.requests = {warpRequest(),
                       test::sceneRequest(Op::EmitterSample, {0, 0, 0, 0.5F, 0.5F, 0.5F}),

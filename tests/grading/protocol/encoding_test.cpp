@@ -15,13 +15,13 @@
 namespace {
 
 /// Largest block that was asked for since it was last set to 0.
-std::size_t g_largestAllocation = 0;
+std::size_t largestAllocation = 0;
 
 } // namespace
 
 // Not inlined: g++ 12 would pair one of them with the other's malloc() or free() and warn.
 [[gnu::noinline]] void *operator new(std::size_t size) {
-    g_largestAllocation = std::max(g_largestAllocation, size);
+    largestAllocation = std::max(largestAllocation, size);
     void *block = std::malloc(std::max<std::size_t>(size, 1));
     if (block == nullptr)
         throw std::bad_alloc();
@@ -149,12 +149,12 @@ TEST(Encoding, AllocatesInProportionToTheMessageWhateverItsCountsSay) {
         for (const std::uint32_t count : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00010000U}) {
             std::string changed = bytes;
             std::memcpy(&changed[at], &count, sizeof count);
-            g_largestAllocation = 0;
+            largestAllocation = 0;
             try {
                 decode(changed.data(), changed.size());
             } catch (const std::runtime_error &) {
             }
-            ASSERT_LE(g_largestAllocation, bound) << "count " << count << " at byte " << at;
+            ASSERT_LE(largestAllocation, bound) << "count " << count << " at byte " << at;
         }
     }
 }

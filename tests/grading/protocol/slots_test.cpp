@@ -22,29 +22,29 @@ protected:
             request.op = Op::WarpSample;
             request.text = "sphere";
             request.values.assign(floats, 0.5F);
-            group.requests.push_back(request);
+            m_group.requests.push_back(request);
         }
-        layout = slotLayout(group);
-        memory.assign(layout.size, 'x');
-        clearSlots(layout, memory.data());
+        m_layout = slotLayout(m_group);
+        m_memory.assign(m_layout.size, 'x');
+        clearSlots(m_layout, m_memory.data());
     }
 
     Response read(std::size_t request) const {
-        return readSlot(layout, group, request, memory.data());
+        return readSlot(m_layout, m_group, request, m_memory.data());
     }
 
     void write(std::size_t request, const Response &response) {
-        writeSlot(layout, request, response, memory.data());
+        writeSlot(m_layout, request, response, m_memory.data());
     }
 
     template <typename T>
     void overwrite(std::size_t request, std::size_t at, T value) {
-        std::memcpy(&memory[layout.offsets[request] + at], &value, sizeof value);
+        std::memcpy(&m_memory[m_layout.offsets[request] + at], &value, sizeof value);
     }
 
-    RequestGroup group;
-    SlotLayout layout;
-    std::string memory;
+    RequestGroup m_group;
+    SlotLayout m_layout;
+    std::string m_memory;
 };
 
 Response done(std::size_t floats) {
@@ -57,12 +57,12 @@ Response done(std::size_t floats) {
 }
 
 TEST_F(Slots, DoNotOverlapAndAreAligned) {
-    ASSERT_EQ(layout.offsets.size(), 3U);
+    ASSERT_EQ(m_layout.offsets.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(layout.offsets[i] % 64, 0U);
-        const std::size_t end = i + 1 < 3 ? layout.offsets[i + 1] : layout.size;
-        EXPECT_GE(end - layout.offsets[i],
-                  kMaxMessage + group.requests[i].resultSize() * sizeof(float));
+        EXPECT_EQ(m_layout.offsets[i] % 64, 0U);
+        const std::size_t end = i + 1 < 3 ? m_layout.offsets[i + 1] : m_layout.size;
+        EXPECT_GE(end - m_layout.offsets[i],
+                  kMaxMessage + m_group.requests[i].resultSize() * sizeof(float));
     }
 }
 
@@ -156,7 +156,7 @@ TEST_F(Slots, ReadWithinTheirShapeWhateverTheMemoryHolds) {
             ASSERT_LE(back.message.size(), kMaxMessage);
             ASSERT_TRUE(std::isfinite(back.cpuSeconds) && back.cpuSeconds >= 0);
             ASSERT_EQ(back.values.size(),
-                      back.state == State::Done ? group.requests[i].resultSize() : 0);
+                      back.state == State::Done ? m_group.requests[i].resultSize() : 0);
         }
     }
 }
