@@ -43,8 +43,11 @@ private:
         if ((incident == 0.0f).all())
             return Color3f(0.0f);
 
-        // The segment ends short of the light, by as much as the accelerator starts it late.
-        const float slack = Epsilon * std::max(1.0f, lRec.p.cwiseAbs().maxCoeff());
+        // The segment ends short of the light, or rounding would let the light hide itself. How
+        // short decides what is seen at grazing angles: 1e-5 is what the course's references were
+        // rendered with (0.006 of the distance below the plane of cbox's light); it grows with the
+        // coordinates, as the start of the segment does.
+        const float slack = 1e-5f * std::max(1.0f, lRec.p.cwiseAbs().maxCoeff());
         if (scene->rayIntersect(Ray3f(its.p, lRec.wi, Epsilon, lRec.dist - slack)))
             return Color3f(0.0f);
 
