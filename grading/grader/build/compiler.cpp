@@ -196,7 +196,7 @@ Built Compiler::compile(const UnitSource &source, const HeaderSet &headers,
         parts.push_back(headers.files.at(header));
     }
     for (const auto &[spelling, name] : headers.forwards)
-        parts.push_back(spelling + " = " + name);
+        parts.push_back(fmt::format("{} = {}", spelling, name));
     const std::string key = keyOf(parts);
 
     std::map<std::string, std::string> shown = names;

@@ -216,7 +216,7 @@ RadianceCase reflectingLight(std::uint64_t seed) {
     room.scene.addPointLight(position, intensity);
     RadianceCase test = onFloor(room);
     for (const TestRay &ray : test.rays)
-        test.expected.push_back(
+        test.expected.emplace_back(
             radiance + reflectedFromPoint(room, hitPoint(ray, room.floor), position, intensity));
     test.scene = room.scene;
     return test;
@@ -236,7 +236,7 @@ RadianceCase farShadow(std::uint64_t seed) {
         const double hidden = polygonIrradiance(hitPoint(ray, room.floor),
                                                 room.floor.geometricNormal(0), wall.positions) /
                               kPi;
-        test.expected.push_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
+        test.expected.emplace_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
     }
     test.scene = room.scene;
     test.repeats = 8192;

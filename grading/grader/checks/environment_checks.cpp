@@ -25,6 +25,7 @@ constexpr int kSamples = 1 << 15;
 constexpr int kZCells = 16;
 constexpr int kPhiCells = 16;
 constexpr int kNodes = 8; ///< midpoints per side of a cell, for a density that is not uniform
+constexpr std::size_t kQueriesPerCell = std::size_t{kNodes} * kNodes;
 constexpr double kToleratedRms = 0.01;
 constexpr double kToleratedRmsOfMap = 0.05; ///< the midpoint rule misses the edges of a map's cells
 
@@ -155,12 +156,17 @@ CellProbabilities askProbabilities(CheckContext &context, const TestScene &scene
         result.cells.assign(kCells, 1.0 / kCells);
         return result;
     }
+    // Cells by z, then phi; in each a grid of midpoints.
+    const auto coordinate = [](int whole, int node, int cells) {
+        return (whole + (node + 0.5) / kNodes) / cells;
+    };
     std::vector<EmitterQuery> queries;
     for (int cell = 0; cell < kCells; ++cell) {
         for (int node = 0; node < kNodes * kNodes; ++node) {
-            const double z = -1 + 2 * (cell / kPhiCells + (node / kNodes + 0.5) / kNodes) / kZCells;
-            const double phi =
-                2 * kPi * (cell % kPhiCells + (node % kNodes + 0.5) / kNodes) / kPhiCells;
+            const int row = cell / kPhiCells;
+            const int nodeRow = node / kNodes;
+            const double z = -1 + 2 * coordinate(row, nodeRow, kZCells);
+            const double phi = 2 * kPi * coordinate(cell % kPhiCells, node % kNodes, kPhiCells);
             const double r = std::sqrt(1 - z * z);
             queries.push_back(
                 queryTowards({0.3, 0.2, 0.1}, {r * std::cos(phi), r * std::sin(phi), z}));
@@ -173,7 +179,7 @@ CellProbabilities askProbabilities(CheckContext &context, const TestScene &scene
     result.tolerance = kToleratedRmsOfMap;
     result.cells.assign(kCells, 0);
     for (std::size_t i = 0; i < answer.rows.size(); ++i)
-        result.cells[i / (kNodes * kNodes)] +=
+        result.cells[i / kQueriesPerCell] +=
             answer.rows[i].pdf * 4 * kPi / kCells / kNodes / kNodes;
     return result;
 }
@@ -208,9 +214,11 @@ CheckResult judgeDistribution(CheckContext &context) {
             const double phi = std::atan2(row.wi.y(), row.wi.x());
             const double u = std::clamp((row.wi.z() + 1) / 2, 0.0, 1 - 1e-9);
             const double v = std::clamp((phi < 0 ? phi + 2 * kPi : phi) / (2 * kPi), 0.0, 1 - 1e-9);
-            if (row.wi.allFinite())
-                counts[static_cast<std::size_t>(static_cast<int>(u * kZCells) * kPhiCells +
-                                                static_cast<int>(v * kPhiCells))] += 1;
+            if (row.wi.allFinite()) {
+                const auto line = static_cast<std::size_t>(u * kZCells);
+                const auto column = static_cast<std::size_t>(v * kPhiCells);
+                counts[line * kPhiCells + column] += 1;
+            }
         }
         const statistics::ChiSquareResult test =
             statistics::chiSquareTest(counts, wanted, {.minExpected = 20});

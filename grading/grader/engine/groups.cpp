@@ -71,9 +71,22 @@ std::vector<VariantPlan> followThroughPlans(const Group &group) {
     const std::set<std::string> units = upstreamUnits(group);
     if (units.empty())
         return {};
+    std::vector<VariantPlan> plans;
+    // A group may share a file with one that it stands on: then ours stands for that file, too.
+    VariantPlan ours =
+        planOf("our upstream and integrator", group, Origin::Reference, Origin::Student);
+    for (const std::string &id : group.upstream) {
+        for (const std::string &unit : findGroup(id).own) {
+            if (std::count(group.own.begin(), group.own.end(), unit) != 0)
+                ours.origins[unit] = Origin::Reference;
+        }
+    }
+    const bool sharesFiles =
+        std::any_of(group.own.begin(), group.own.end(), [&](const std::string &unit) {
+            return ours.origins.at(unit) != Origin::Student;
+        });
     const bool samplesEmitters = units.count("area.cpp") != 0;
     const bool usesScene = units.count(kSceneUnit) != 0;
-    std::vector<VariantPlan> plans;
     for (const Origin scene : {Origin::Student, Origin::Starter}) {
         if (scene == Origin::Starter && !usesScene)
             continue;
@@ -83,6 +96,8 @@ std::vector<VariantPlan> followThroughPlans(const Group &group) {
             plans.push_back(planOf("our upstream, samples not divided by the density" + sceneName,
                                    group, Origin::ReferenceValue, scene));
     }
+    if (sharesFiles)
+        plans.push_back(std::move(ours));
     return plans;
 }
 
