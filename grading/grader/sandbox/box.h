@@ -41,8 +41,9 @@ struct BoxBind {
     bool writable = false;
 };
 
-/// An untrusted process to run. Besides `binds` it sees /usr (read-only), a small private /tmp and
-/// nothing else: no network, no /proc, no environment, no other process.
+/// An untrusted process to run. Besides `binds` it sees the system's libraries (compilers: all of
+/// /usr but /usr/local; read-only), a small private /tmp and nothing else: no network, no /proc, no
+/// environment, no other process.
 struct BoxSpec {
     std::vector<std::string> argv;
     std::vector<BoxBind> binds;
@@ -102,6 +103,10 @@ public:
     BoxOutcome run(const BoxSpec &spec) const;
 
 private:
+    /// Runs a harmless program with all that a submission's box will have.
+    /// \return  what went wrong; empty if nothing did
+    std::string tryOut(SandboxLevel level);
+
     SandboxLevel m_level = SandboxLevel::S0;
     std::vector<std::string> m_findings;
     CgroupPlaces m_cgroups;

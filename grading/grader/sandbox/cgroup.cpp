@@ -10,7 +10,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -22,7 +25,8 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr char kRoot[] = "/sys/fs/cgroup";
+const path kRoot = "/sys/fs/cgroup";
+constexpr char kPrefix[] = "norigrade-";
 
 bool writeFile(const path &file, const std::string &text) {
     std::ofstream stream(file);
@@ -38,14 +42,64 @@ std::string readFile(const path &file) {
     return text.str();
 }
 
+/// Makes a group below `folder` under a name that nobody else has. \return  empty if refused
+path makeGroup(const path &folder) {
+    static std::atomic<unsigned> counter{0};
+    for (;;) {
+        path group = folder / fmt::format("{}{}-{}", kPrefix, ::getpid(), counter++);
+        if (::mkdir(group.c_str(), 0755) == 0)
+            return group;
+        if (errno != EEXIST)
+            return {};
+    }
+}
+
+/// Kills what is in a group. \return  true if there was something
+bool killMembers(const path &group) {
+    std::istringstream text(readFile(group / "cgroup.procs"));
+    bool any = false;
+    for (pid_t process = 0; text >> process; any = true)
+        ::kill(process, SIGKILL);
+    return any;
+}
+
+/// Removes the groups of graders that were themselves killed.
+void sweep(const path &folder) {
+    std::error_code error;
+    for (const auto &entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind(kPrefix, 0) != 0)
+            continue;
+        const pid_t owner = std::atoi(name.c_str() + std::strlen(kPrefix));
+        if (owner <= 0 || ::kill(owner, 0) == 0 || errno != ESRCH)
+            continue;
+        killMembers(entry.path());
+        ::rmdir(entry.path().c_str()); // if it is still busy, the next run tries again
+    }
+}
+
 /// True if groups can be made below `folder` that have the file `needed`.
 bool canMakeGroups(const path &folder, const char *needed) {
-    const path trial = folder / fmt::format("norigrade-trial-{}", ::getpid());
-    if (::mkdir(trial.c_str(), 0755) != 0)
+    sweep(folder);
+    const path trial = makeGroup(folder);
+    if (trial.empty())
         return false;
     const bool has = std::filesystem::exists(trial / needed);
     ::rmdir(trial.c_str());
     return has;
+}
+
+/// Version 2 lets a group share out memory only if no process is in it itself, and ours is: so the
+/// nearest group above it that can is looked for, too.
+path placeOfVersion2(path folder) {
+    for (;; folder = folder.parent_path()) {
+        if (!canMakeGroups(folder, "memory.max"))
+            writeFile(folder / "cgroup.subtree_control", "+memory +pids");
+        if (canMakeGroups(folder, "memory.max") && canMakeGroups(folder, "pids.max"))
+            return folder;
+        if (folder == kRoot || folder == folder.parent_path())
+            return {};
+    }
 }
 
 } // namespace
@@ -59,18 +113,14 @@ CgroupPlaces findCgroupPlaces() {
         if (second == std::string::npos)
             continue;
         const std::string controllers = line.substr(first + 1, second - first - 1);
-        const std::string below = line.substr(second + 2);
+        const path below = line.substr(second + 2);
         if (controllers.empty()) {
-            const path folder = path(kRoot) / below;
-            // Only where an administrator has delegated the controllers to us.
-            writeFile(folder / "cgroup.subtree_control", "+memory +pids");
-            if (canMakeGroups(folder, "memory.max") && canMakeGroups(folder, "pids.max")) {
-                places = {folder, folder, true};
-                return places;
-            }
+            const path folder = placeOfVersion2(below.empty() ? kRoot : kRoot / below);
+            if (!folder.empty())
+                return {folder, folder, true};
             continue;
         }
-        const path folder = path(kRoot) / controllers / below;
+        const path folder = kRoot / controllers / below;
         std::istringstream names(controllers);
         for (std::string name; std::getline(names, name, ',');) {
             if (name == "memory" && canMakeGroups(folder, "memory.limit_in_bytes"))
@@ -83,12 +133,10 @@ CgroupPlaces findCgroupPlaces() {
 }
 
 Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : m_version2(places.version2) {
-    static std::atomic<unsigned> counter{0};
-    const std::string name = fmt::format("norigrade-{}-{}", ::getpid(), counter++);
     for (const path &place : std::set<path>{places.memory, places.pids}) {
-        m_folders.push_back(place / name);
-        if (::mkdir(m_folders.back().c_str(), 0755) != 0)
-            throw GraderError(fmt::format("{}: cannot be made", m_folders.back().string()));
+        m_folders.push_back(makeGroup(place));
+        if (m_folders.back().empty())
+            throw GraderError(fmt::format("{}: no control group can be made", place.string()));
     }
     for (const path &folder : m_folders) {
         const std::string bytes = std::to_string(limits.memoryBytes);
@@ -131,13 +179,8 @@ void Cgroup::killAll() {
     constexpr int kTries = 500;
     for (int i = 0; i < kTries; ++i) {
         bool empty = true;
-        for (const path &folder : m_folders) {
-            std::istringstream text(readFile(folder / "cgroup.procs"));
-            for (pid_t process = 0; text >> process;) {
-                empty = false;
-                ::kill(process, SIGKILL);
-            }
-        }
+        for (const path &folder : m_folders)
+            empty = !killMembers(folder) && empty;
         if (empty)
             return;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -30,7 +30,8 @@ constexpr uid_t kNobody = 65534;
 constexpr int kFirstDescriptor = 3; ///< BoxSpec::descriptors
 constexpr int kStatusFd = 20;
 constexpr int kFilterFd = 21;
-constexpr int kParkedFds = 100; ///< where descriptors wait before they get their numbers
+constexpr int kParkedFds = 100; ///< descriptors wait above before they get their numbers
+constexpr std::size_t kMostDescriptors = kStatusFd - kFirstDescriptor;
 
 struct Pipe {
     Descriptor read;
@@ -84,6 +85,7 @@ struct ChildPlan {
     int filterFd;
     bool asRoot;
     rlim_t processes;
+    rlim_t addressBytes;
     const BoxLimits *limits;
 };
 
@@ -97,7 +99,7 @@ void setLimits(const ChildPlan &plan) {
     const auto seconds = static_cast<rlim_t>((plan.limits->cpu + std::chrono::milliseconds(999)) /
                                              std::chrono::seconds(1));
     limit(RLIMIT_CPU, seconds, seconds + 1, "RLIMIT_CPU");
-    limit(RLIMIT_AS, plan.limits->memoryBytes, plan.limits->memoryBytes, "RLIMIT_AS");
+    limit(RLIMIT_AS, plan.addressBytes, plan.addressBytes, "RLIMIT_AS");
     limit(RLIMIT_FSIZE, plan.limits->fileBytes, plan.limits->fileBytes, "RLIMIT_FSIZE");
     limit(RLIMIT_CORE, 0, 0, "RLIMIT_CORE");
     limit(RLIMIT_NOFILE, 256, 256, "RLIMIT_NOFILE");
@@ -105,19 +107,19 @@ void setLimits(const ChildPlan &plan) {
 }
 
 void giveDescriptors(const ChildPlan &plan) {
-    // First out of the way of the final numbers, then into place.
-    int parked = kParkedFds;
-    const auto park = [&parked](int fd) {
-        if (::dup2(fd, parked) < 0)
-            childFails("dup2");
-        return parked++;
+    // First out of the way of the final numbers (and of each other), then into place.
+    const auto park = [](int fd) {
+        const int parked = ::fcntl(fd, F_DUPFD, kParkedFds);
+        if (parked < 0)
+            childFails("a descriptor cannot be duplicated");
+        return parked;
     };
     const int log = park(plan.logFd);
     const int status = park(plan.statusFd);
     const int filter = park(plan.filterFd);
-    const int firstOwn = parked;
+    std::array<int, kMostDescriptors> own{};
     for (int i = 0; i < plan.descriptorCount; ++i)
-        park(plan.descriptors[i]);
+        own[static_cast<std::size_t>(i)] = park(plan.descriptors[i]);
     const int null = ::open("/dev/null", O_RDONLY);
     if (null < 0)
         childFails("/dev/null");
@@ -125,7 +127,7 @@ void giveDescriptors(const ChildPlan &plan) {
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
     for (int i = 0; i < plan.descriptorCount; ++i)
-        ::dup2(firstOwn + i, kFirstDescriptor + i);
+        ::dup2(own[static_cast<std::size_t>(i)], kFirstDescriptor + i);
     ::dup2(status, kStatusFd);
     ::dup2(filter, kFilterFd);
     ::close_range(static_cast<unsigned>(kFirstDescriptor + plan.descriptorCount), kStatusFd - 1, 0);
@@ -160,18 +162,40 @@ void giveDescriptors(const ChildPlan &plan) {
 } // namespace
 
 std::vector<std::string> bubblewrapArguments(const BoxSpec &spec, int statusFd, int filterFd) {
-    std::vector<std::string> arguments = {
-        kBubblewrap,  "--unshare-all", "--unshare-user", "--disable-userns",
-        "--uid",      "65534",         "--gid",          "65534",
-        "--cap-drop", "ALL",           "--new-session",  "--die-with-parent",
-        "--clearenv", "--setenv",      "LANG",           "C",
-        "--setenv",   "PATH",          "/usr/bin",       "--setenv",
-        "TMPDIR",     "/tmp"};
+    std::vector<std::string> arguments = {kBubblewrap,
+                                          "--unshare-all",
+                                          "--unshare-user",
+                                          "--disable-userns",
+                                          "--uid",
+                                          "65534",
+                                          "--gid",
+                                          "65534",
+                                          "--hostname",
+                                          "box",
+                                          "--cap-drop",
+                                          "ALL",
+                                          "--new-session",
+                                          "--die-with-parent",
+                                          "--clearenv",
+                                          "--setenv",
+                                          "LANG",
+                                          "C",
+                                          "--setenv",
+                                          "TMPDIR",
+                                          "/tmp"};
     const auto add = [&](std::initializer_list<std::string> more) {
         arguments.insert(arguments.end(), more);
     };
-    add({"--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64",
-         "/lib64", "--symlink", "usr/bin", "/bin"});
+    if (spec.mayFork) {
+        add({"--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"});
+        // Where an administrator may have put the finished renderer, or this program's source.
+        if (std::filesystem::exists("/usr/local"))
+            add({"--size", "4096", "--tmpfs", "/usr/local", "--remount-ro", "/usr/local"});
+    } else {
+        add({"--ro-bind", "/usr/lib", "/usr/lib", "--ro-bind-try", "/usr/lib64", "/usr/lib64"});
+    }
+    add({"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink", "usr/bin",
+         "/bin"});
     // bubblewrap's /dev and root are writable memory unless told otherwise.
     add({"--dev", "/dev", "--remount-ro", "/dev", "--size", "1048576", "--tmpfs", "/dev/shm"});
     add({"--size", std::to_string(spec.limits.temporaryBytes), "--tmpfs", "/tmp"});
@@ -191,6 +215,8 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
         argv.push_back(argument.data());
     argv.push_back(nullptr);
 
+    if (spec.descriptors.size() > kMostDescriptors)
+        throw GraderError("too many descriptors for a box");
     Pipe log = makePipe();
     Pipe status = makePipe();
     Pipe go = makePipe();
@@ -208,6 +234,10 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
     constexpr rlim_t kBoxesAtOnce = 64;
     plan.processes = asRoot ? spec.limits.processes * kBoxesAtOnce
                             : processesOf(::geteuid()) + spec.limits.processes;
+    // A control group counts what is in use, so that the address space, of which allocators and
+    // thread stacks reserve much more, needs only a coarse bound.
+    constexpr rlim_t kReservedPerUsed = 4;
+    plan.addressBytes = spec.limits.memoryBytes * (cgroup != nullptr ? kReservedPerUsed : 1);
     plan.limits = &spec.limits;
 
     const pid_t child = ::fork();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <grader/error.h>
 #include <grader/sandbox/cgroup.h>
+#include <grader/sandbox/supervisor.h>
 
 #include <fmt/core.h>
 
@@ -23,6 +25,8 @@ std::string firstLine(const char *file) {
 
 std::string namespaceAdvice(const std::string &reason) {
     std::string advice;
+    if (reason.find("nknown option") != std::string::npos)
+        advice = "; bubblewrap 0.8 or newer is needed";
     if (firstLine("/proc/sys/kernel/unprivileged_userns_clone") == "0")
         advice = "; as administrator: sysctl -w kernel.unprivileged_userns_clone=1";
     if (firstLine("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1")
@@ -50,27 +54,41 @@ Sandbox::Sandbox(SandboxLevel wanted) {
     m_findings.push_back(::geteuid() == 0
                              ? "user: root; submissions run as user 65534"
                              : "user: ordinary; submissions run as a user namespace's nobody");
-    m_cgroups = findCgroupPlaces();
-    const bool cgroups = m_cgroups.complete();
-
-    // The whole box is tried, with everything that a submission's will have.
-    m_level = SandboxLevel::S2;
-    BoxSpec trial;
-    trial.argv = {"/usr/bin/true"};
-    const BoxOutcome outcome = run(trial);
-    const auto *exited = std::get_if<BoxExited>(&outcome.end);
-    if (exited == nullptr || exited->code != 0) {
-        m_findings.push_back(namespaceAdvice(describe(outcome.end)));
+    adoptOrphans();
+    const std::string failure = tryOut(SandboxLevel::S2);
+    if (!failure.empty()) {
+        m_findings.push_back(namespaceAdvice(failure));
         settle(SandboxLevel::S0);
         return;
     }
     m_findings.emplace_back("namespaces, seccomp, limits: yes");
-    m_findings.push_back(cgroups
-                             ? fmt::format("control groups: yes (version {}, {})",
-                                           m_cgroups.version2 ? 2 : 1, m_cgroups.memory.string())
-                             : "control groups: no; memory is limited per process only (root, or "
-                               "a delegated group, gives S3)");
-    settle(cgroups ? SandboxLevel::S3 : SandboxLevel::S2);
+    m_cgroups = findCgroupPlaces();
+    if (!m_cgroups.complete()) {
+        m_findings.emplace_back("control groups: no; memory is limited per process only (root, or "
+                                "a delegated group: systemd-run --user --scope, gives S3)");
+        settle(SandboxLevel::S2);
+        return;
+    }
+    const std::string grouped = tryOut(SandboxLevel::S3);
+    m_findings.push_back(fmt::format("control groups: {} (version {}, {}{})",
+                                     grouped.empty() ? "yes" : "no", m_cgroups.version2 ? 2 : 1,
+                                     m_cgroups.memory.string(),
+                                     grouped.empty() ? "" : ": " + grouped));
+    settle(grouped.empty() ? SandboxLevel::S3 : SandboxLevel::S2);
+}
+
+std::string Sandbox::tryOut(SandboxLevel level) {
+    m_level = level;
+    BoxSpec trial;
+    trial.argv = {"/true"};
+    trial.binds = {{"/usr/bin/true", "/true", false}};
+    try {
+        const BoxOutcome outcome = run(trial);
+        const auto *exited = std::get_if<BoxExited>(&outcome.end);
+        return exited != nullptr && exited->code == 0 ? "" : describe(outcome.end);
+    } catch (const GraderError &error) {
+        return error.what();
+    }
 }
 
 } // namespace grader

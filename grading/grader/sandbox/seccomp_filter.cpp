@@ -3,21 +3,27 @@
 
 #include <grader/error.h>
 
+#include <fmt/core.h>
 #include <seccomp.h>
 
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mman.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace grader {
 
 namespace {
 
 /// What neither a compiler nor a renderer needs; refused with EPERM. The namespaces already hold
-/// most of it: this is the second wall, and keeps the kernel's newer corners out of reach.
+/// most of it: this is the second wall, and keeps the kernel's newer corners out of reach. Memory
+/// that belongs to no process (System V, memfd) would escape the limits where there is no control
+/// group.
 constexpr const char *kDenied[] = {"socket",
                                    "socketpair",
                                    "connect",
@@ -51,8 +57,15 @@ constexpr const char *kDenied[] = {"socket",
                                    "add_key",
                                    "request_key",
                                    "memfd_create",
+                                   "shmget",
+                                   "shmat",
+                                   "msgget",
+                                   "semget",
+                                   "mq_open",
                                    "memfd_secret",
                                    "kexec_load",
+                                   "kexec_file_load",
+                                   "fanotify_init",
                                    "init_module",
                                    "finit_module",
                                    "delete_module",
@@ -79,12 +92,22 @@ struct ReleaseFilter {
     void operator()(void *filter) const { seccomp_release(filter); }
 };
 
+constexpr std::array<scmp_datum_t, 7> kNamespaceFlags = {
+    CLONE_NEWNS,   CLONE_NEWCGROUP, CLONE_NEWUTS, CLONE_NEWIPC,
+    CLONE_NEWUSER, CLONE_NEWPID,    CLONE_NEWNET};
+
+/// Refuses a call, if its arguments compare so.
+void addRule(scmp_filter_ctx filter, std::uint16_t error, int call,
+             const std::vector<scmp_arg_cmp> &comparisons = {}) {
+    if (seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(error), call,
+                               static_cast<unsigned>(comparisons.size()), comparisons.data()) != 0)
+        throw GraderError(fmt::format("seccomp: call {} cannot be denied", call));
+}
+
 void deny(scmp_filter_ctx filter, const char *name) {
     const int number = seccomp_syscall_resolve_name(name);
-    if (number == __NR_SCMP_ERROR)
-        return; // this machine has no such call
-    if (seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), number, 0) != 0)
-        throw GraderError(std::string("seccomp: the call ") + name + " cannot be denied");
+    if (number != __NR_SCMP_ERROR) // else this machine has no such call
+        addRule(filter, EPERM, number);
 }
 
 } // namespace
@@ -95,14 +118,19 @@ Descriptor seccompFilter(bool mayFork) {
         throw GraderError("seccomp: no filter can be made");
     for (const char *name : kDenied)
         deny(filter.get(), name);
+    // clone3()'s flags are behind a pointer, where a filter cannot see them; the C library falls
+    // back to clone().
+    addRule(filter.get(), ENOSYS, SCMP_SYS(clone3));
+    for (const scmp_datum_t flag : kNamespaceFlags)
+        addRule(filter.get(), EPERM, SCMP_SYS(clone), {SCMP_A0(SCMP_CMP_MASKED_EQ, flag, flag)});
+    // Of others: the first process of the box would die of a limit, and its end look like ours.
+    addRule(filter.get(), EPERM, SCMP_SYS(prlimit64), {SCMP_A0(SCMP_CMP_NE, 0)});
     if (!mayFork) {
         for (const char *name : kDeniedToProbes)
             deny(filter.get(), name);
-        // Threads come from clone() with CLONE_THREAD; the C library falls back to it from
-        // clone3(), whose flags a filter cannot see.
-        seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
-        seccomp_rule_add(filter.get(), SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
-                         SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
+        // Threads only.
+        addRule(filter.get(), EPERM, SCMP_SYS(clone),
+                {SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)});
     }
     Descriptor file(::memfd_create("seccomp", MFD_CLOEXEC));
     if (!file || seccomp_export_bpf(filter.get(), file.get()) != 0)
