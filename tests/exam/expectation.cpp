@@ -74,7 +74,7 @@ public:
         if (!node.is_array()) {
             const std::string rest = text(node);
             if (rest != "all" && rest != "others")
-                fail(m_file, node, "expected a list of items, \"all\" or \"others\"");
+                fail(m_file, node, R"(expected a list of items, "all" or "others")");
             expectation.others = kept;
             return;
         }
@@ -161,7 +161,7 @@ Expectation readExpectation(const std::filesystem::path &file) {
     for (const auto &[key, node] : table) {
         const auto setter = setters().find(std::string(key.str()));
         if (setter == setters().end())
-            fail(file, node, fmt::format("unknown key \"{}\"", key.str()));
+            fail(file, node, fmt::format("unknown key {}", key.str()));
         setter->second(reader, node, expectation);
     }
     return expectation;

@@ -61,6 +61,18 @@ const char *keptName(Kept kept) {
     return "?";
 }
 
+/// ` warp.disk others`, each with a blank before it.
+std::string itemsThat(const Expectation &expectation, Kept kept) {
+    std::string names;
+    for (const auto &[id, wanted] : expectation.items) {
+        if (wanted == kept)
+            names += " " + id;
+    }
+    if (expectation.others == kept)
+        names += expectation.items.empty() ? " all" : " others";
+    return names;
+}
+
 void compareItem(const Expectation &expectation, const GradedItem &item,
                  std::vector<std::string> &misses) {
     const std::string got = fmt::format("{} got {:g} of {:g} ({}: {})", item.id, item.points,
@@ -115,24 +127,17 @@ std::vector<std::string> compare(const Expectation &expectation, const Graded &g
 }
 
 std::string describe(const Expectation &expectation) {
-    std::string text;
+    std::vector<std::string> parts;
     if (expectation.minTotal == expectation.maxTotal)
-        text = fmt::format("{:g}", expectation.minTotal);
+        parts.push_back(fmt::format("{:g}", expectation.minTotal));
     else if (expectation.maxTotal < 100)
-        text = fmt::format("at most {:g}", expectation.maxTotal);
+        parts.push_back(fmt::format("at most {:g}", expectation.maxTotal));
     for (const Kept kept : {Kept::Lost, Kept::Zero, Kept::Full}) {
-        std::string names;
-        for (const auto &[id, wanted] : expectation.items) {
-            if (wanted == kept)
-                names += (names.empty() ? "" : " ") + id;
-        }
-        if (expectation.others == kept)
-            names += names.empty() && expectation.items.empty() ? "all" : " others";
-        if (!names.empty())
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", keptName(kept),
-                                names.substr(names.front() == ' ' ? 1 : 0));
+        const std::string items = itemsThat(expectation, kept);
+        if (!items.empty())
+            parts.push_back(keptName(kept) + items);
     }
-    return text;
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string describe(const Graded &graded) {

@@ -89,7 +89,7 @@ std::vector<Case> findCases(const fs::path &root, const std::string &pattern) {
 fs::path compose(const fs::path &root, const Case &which, const fs::path &norigrade,
                  const fs::path &work) {
     const Recipe &recipe = which.expectation.recipe;
-    const fs::path folder = work / fs::path(which.name).filename();
+    fs::path folder = work / fs::path(which.name).filename();
     if (recipe.fromStarter) {
         const Outcome outcome = runCommand({norigrade.string(), "starter", folder.string()}, work);
         if (outcome.exitCode != 0)
@@ -108,7 +108,7 @@ fs::path compose(const fs::path &root, const Case &which, const fs::path &norigr
     copyOver(root / which.name, folder);
     if (recipe.zip.empty())
         return folder;
-    const fs::path zip = work / recipe.zip;
+    fs::path zip = work / recipe.zip;
     pack(folder, zip);
     return zip;
 }

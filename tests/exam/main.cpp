@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <iostream>
 #include <mutex>
 #include <thread>
@@ -105,7 +106,9 @@ public:
     }
 
     WorkFolder(const WorkFolder &) = delete;
+    WorkFolder(WorkFolder &&) = delete;
     WorkFolder &operator=(const WorkFolder &) = delete;
+    WorkFolder &operator=(WorkFolder &&) = delete;
 
     ~WorkFolder() {
         std::error_code ignored;
@@ -180,6 +183,7 @@ bool runExam(const Options &options) {
     exam::adoptOrphans();
     std::atomic<std::size_t> next = 0;
     std::vector<std::thread> threads;
+    threads.reserve(static_cast<std::size_t>(options.jobs));
     for (int i = 0; i < options.jobs; ++i)
         threads.emplace_back([&] {
             for (std::size_t at = next++; at < tasks.size(); at = next++)
@@ -193,9 +197,8 @@ bool runExam(const Options &options) {
     return table.finish();
 }
 
-} // namespace
-
-int main(int argc, char **argv) {
+/// \return  the exit code
+int hold(int argc, char **argv) {
     Options options;
     CLI::App app("Grades the hand-ins of tests/submissions and prints expected against got.\n"
                  "Exit code: 0 all as expected, 1 some not, 2 the exam could not be held.",
@@ -211,10 +214,16 @@ int main(int argc, char **argv) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
+    return runExam(options) ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
     try {
-        return runExam(options) ? 0 : 1;
+        return hold(argc, argv);
     } catch (const std::exception &error) {
-        std::cerr << "exam: " << error.what() << "\n";
+        std::fprintf(stderr, "exam: %s\n", error.what());
         return 2;
     }
 }
