@@ -55,6 +55,12 @@ struct Accel::Backend {
 
 namespace {
 
+/// Embree stops the program at a coordinate beyond 1.844e18 or that is no number; the square of a
+/// larger one is not finite. Code under test may well ask for such a ray: it hits nothing.
+bool isTraceable(const Eigen::Vector3f &v) {
+    return (v.array().abs() <= 1e18f).all();
+}
+
 RTCRay toEmbree(const Ray3f &ray, float mint) {
     RTCRay result{};
     result.org_x = ray.o.x();
@@ -129,7 +135,7 @@ bool Accel::rayIntersect(const Ray3f &ray, Intersection &its, bool shadowRay) co
     float mint = ray.mint;
     if (mint == Epsilon)
         mint = std::max(mint, mint * ray.o.array().abs().maxCoeff());
-    if (m_meshes.empty() || !(ray.maxt >= mint))
+    if (m_meshes.empty() || !(ray.maxt >= mint) || !isTraceable(ray.o) || !isTraceable(ray.d))
         return false;
 
     RTCIntersectContext context;
