@@ -225,6 +225,12 @@ CheckResult judgeDistribution(CheckContext &context) {
         const auto n = static_cast<double>(count);
         const int df = test.degreesOfFreedom;
         statistics::StageResult found;
+        if (df < 1) { // hardly any density: nothing may be sampled, and yet it is
+            found.pValue = 0;
+            found.effect = found.effectBound = found.z = 1;
+            found.deviation.assign(counts.size(), 1);
+            return found;
+        }
         found.pValue = statistics::toleranceZonePValue(test.statistic, df, n, expected.tolerance);
         found.effect = statistics::rmsErrorEstimate(test.statistic, df, n);
         found.effectBound = statistics::rmsErrorUpperBound(test.statistic, df, n);

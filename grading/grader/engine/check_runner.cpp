@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace grader {
 
@@ -130,7 +131,13 @@ CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
     }
     RunnerContext context(m_sandbox, *variant.executable, m_referenceProbe,
                           m_options.seedHex + "|" + check.id, m_digest);
-    CheckResult result = check.run(context);
+    CheckResult result;
+    try {
+        result = check.run(context);
+    } catch (const std::logic_error &error) { // a number that no test foresaw: the others go on
+        result = withVerdict(check, Verdict::Infra,
+                             fmt::format("The check could not judge the answer: {}", error.what()));
+    }
     result.id = check.id;
     result.variant = variant.name;
     m_sampleSeconds = m_sampleSeconds + context.sampleSeconds();
