@@ -12,16 +12,16 @@ namespace grader {
 
 /// What Emitter::sample left in the record, and what eval and pdf say of it.
 struct EmitterSampleRow {
-    Vector3d ref;
-    Vector3d value; ///< returned by sample
-    Vector3d p;
-    Vector3d n;
-    Vector2d uv;
-    Vector3d wi;
+    Vector3d ref = Vector3d::Zero();
+    Vector3d value = Vector3d::Zero(); ///< returned by sample
+    Vector3d p = Vector3d::Zero();
+    Vector3d n = Vector3d::Zero();
+    Vector2d uv = Vector2d::Zero();
+    Vector3d wi = Vector3d::Zero();
     double dist = 0;
-    double recordPdf = 0; ///< NaN when sample left it unset
-    double pdf = 0;       ///< Emitter::pdf
-    Vector3d eval;        ///< Emitter::eval
+    double recordPdf = 0;             ///< NaN when sample left it unset
+    double pdf = 0;                   ///< Emitter::pdf
+    Vector3d eval = Vector3d::Zero(); ///< Emitter::eval
     bool emitterSet = false;
 };
 

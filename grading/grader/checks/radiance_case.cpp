@@ -27,6 +27,7 @@ constexpr double kTileTolerance = 1e-2;
 constexpr double kInvalidTolerance = 1e-4;
 /// For code that is slower than ours by a large factor: a fraction of the samples will do.
 constexpr std::array<int, 3> kFewerSamples = {1, 16, 256};
+constexpr int kMoreSamples = 4;
 
 struct Radiances {
     std::array<std::vector<MomentSummary>, 3> channels; ///< per ray
@@ -261,14 +262,14 @@ CheckResult judgeRadiance(CheckContext &context, const RadianceCase &test) {
         unreliable.reliable = false;
         return unreliable;
     };
-    const auto stage = [&](const statistics::StageRequest &request) {
+    const auto look = [&](const statistics::StageRequest &request, int factor) {
         const int index = static_cast<int>(request.index);
         const auto seed = [&](const char *who) {
-            return context.seed(who, index);
+            return context.seed(who, index, factor);
         };
         const Asked student =
             askPatiently([&](const auto &group) { return context.ask(group); }, test,
-                         test.repeats * request.sampleFactor, seed("student"));
+                         test.repeats * request.sampleFactor * factor, seed("student"));
         if (auto result = unanswered(student.answer))
             return stop(std::move(*result));
         Radiances expected = exactMoments(test.expected);
@@ -286,6 +287,13 @@ CheckResult judgeRadiance(CheckContext &context, const RadianceCase &test) {
         last = compare(radiances, expected, test.columns);
         lastRepeats = student.repeats;
         return last.stage;
+    };
+    // Where the samples neither reject nor suffice for a pass, one more look with more of them.
+    const auto stage = [&](const statistics::StageRequest &request) {
+        const statistics::StageResult first = look(request, 1);
+        const bool rejects = first.pValue <= request.significance && first.reliable;
+        const bool passes = first.effectBound <= test.passBound && first.reliable;
+        return ended || rejects || passes ? first : look(request, kMoreSamples);
     };
     const statistics::LockResult lock = statistics::tripleLock(
         stage,
