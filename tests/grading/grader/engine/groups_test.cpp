@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <grader/checks/check.h>
+#include <grader/engine/groups.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace grader {
+namespace {
+
+TEST(Groups, StandAfterWhatTheyStandOn) {
+    std::set<std::string> seen;
+    for (const Group &group : groupTable()) {
+        for (const std::string &upstream : group.upstream)
+            EXPECT_EQ(seen.count(upstream), 1u) << group.id << " stands on " << upstream;
+        seen.insert(group.id);
+    }
+}
+
+TEST(Groups, AreThoseOfTheCheckTable) {
+    for (const Check &check : checkTable())
+        EXPECT_NO_THROW(findGroup(check.group)) << check.id;
+    for (const Group &group : groupTable())
+        EXPECT_TRUE(std::any_of(checkTable().begin(), checkTable().end(),
+                                [&](const Check &check) { return check.group == group.id; }))
+            << group.id << " judges nothing";
+}
+
+TEST(Groups, JudgeTheHandInAsItIsFirst) {
+    for (const Group &group : groupTable()) {
+        for (const auto &[unit, origin] : studentPlan(group).origins)
+            EXPECT_EQ(origin, Origin::Student) << group.id << ": " << unit;
+    }
+}
+
+TEST(Groups, FollowThroughNeverReplacesWhatIsJudgedAlone) {
+    for (const Group &group : groupTable()) {
+        for (const VariantPlan &plan : followThroughPlans(group)) {
+            const auto students =
+                std::count_if(group.own.begin(), group.own.end(), [&](const std::string &unit) {
+                    return plan.origins.at(unit) == Origin::Student;
+                });
+            EXPECT_GE(students, 1) << group.id << ": " << plan.name;
+        }
+    }
+    EXPECT_TRUE(followThroughPlans(findGroup("warp")).empty());
+    EXPECT_EQ(followThroughPlans(findGroup("mesh")).size(), 1u);
+    EXPECT_EQ(followThroughPlans(findGroup("direct_ems")).size(), 4u)
+        << "two conventions of Emitter::sample, with the hand-in's Scene and without";
+}
+
+TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
+    std::set<std::string> ids;
+    for (const Check &check : checkTable()) {
+        EXPECT_TRUE(ids.insert(check.id).second) << check.id;
+        EXPECT_LT(check.tolerance, check.gross) << check.id;
+        EXPECT_FALSE(check.what.empty()) << check.id;
+        EXPECT_EQ(findCheck(check.id), &check);
+    }
+    EXPECT_EQ(findCheck("no.such.check"), nullptr);
+}
+
+} // namespace
+} // namespace grader
