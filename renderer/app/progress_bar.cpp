@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace {
@@ -21,7 +22,7 @@ int terminalWidth() {
 }
 
 std::string duration(double seconds) {
-    const int s = static_cast<int>(seconds + 0.5);
+    const auto s = static_cast<int>(std::lround(seconds));
     if (s >= 3600)
         return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     return fmt::format("{}:{:02}", s / 60, s % 60);

@@ -44,6 +44,13 @@ std::string readAll(int descriptor) {
     return text;
 }
 
+/// What a run of the program left.
+struct Outcome {
+    int code = -1; ///< exit code; -1 if a signal ended it
+    std::string output;
+    std::string errors;
+};
+
 /// `nori` with these arguments, running in `folder`.
 class Program {
 public:
@@ -86,24 +93,24 @@ public:
     Program &operator=(Program &&) = delete;
 
     /// Waits until it has said something on stderr.
-    void waitForWarning() {
+    void waitForWarning() const {
         char first = 0;
         ASSERT_EQ(::read(m_err, &first, 1), 1);
     }
 
     void signal(int number) const { ::kill(m_pid, number); }
 
-    /// Waits for the end. \return  exit code, or -1 if a signal ended it
-    int finish() {
-        output = readAll(m_out);
-        errors = readAll(m_err);
+    /// Waits for the end.
+    Outcome finish() const {
+        Outcome outcome;
+        outcome.output = readAll(m_out);
+        outcome.errors = readAll(m_err);
         int status = 0;
         ::waitpid(m_pid, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        if (WIFEXITED(status))
+            outcome.code = WEXITSTATUS(status);
+        return outcome;
     }
-
-    std::string output;
-    std::string errors;
 
 private:
     pid_t m_pid = 0;
@@ -124,8 +131,8 @@ Exr loadExr(const fs::path &path) {
             exr.attributes[it.name()] = text->value();
     }
     const Imath::Box2i window = file.header().dataWindow();
-    const auto width = static_cast<std::size_t>(window.max.x + 1);
-    const auto height = static_cast<std::size_t>(window.max.y + 1);
+    const auto width = static_cast<std::size_t>(window.max.x) + 1;
+    const auto height = static_cast<std::size_t>(window.max.y) + 1;
     Imf::FrameBuffer buffer;
     for (auto it = file.header().channels().begin(); it != file.header().channels().end(); ++it) {
         std::vector<float> &plane = exr.channels[it.name()];
@@ -138,9 +145,10 @@ Exr loadExr(const fs::path &path) {
     return exr;
 }
 
-class Nori : public testing::Test {
-protected:
-    Nori() {
+/// A folder with scenes in it, removed at the end.
+class Workplace {
+public:
+    Workplace() {
         std::string pattern = (fs::temp_directory_path() / "nori_cli_XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr)
             throw std::runtime_error("mkdtemp() failed");
@@ -151,11 +159,15 @@ protected:
         write("black.xml", kBlackScene);
     }
 
-    ~Nori() override {
+    ~Workplace() {
         std::error_code ignored;
-        fs::permissions(m_folder / "scenes", fs::perms::owner_all, ignored);
         fs::remove_all(m_folder, ignored);
     }
+
+    Workplace(const Workplace &) = delete;
+    Workplace &operator=(const Workplace &) = delete;
+    Workplace(Workplace &&) = delete;
+    Workplace &operator=(Workplace &&) = delete;
 
     fs::path path(const std::string &name) const { return m_folder / name; }
 
@@ -163,12 +175,9 @@ protected:
         std::ofstream(path(name)) << text;
     }
 
-    int run(const std::vector<std::string> &arguments, rlim_t largestFile = RLIM_INFINITY) {
-        Program program(m_folder, arguments, largestFile);
-        const int code = program.finish();
-        output = program.output;
-        errors = program.errors;
-        return code;
+    Outcome run(const std::vector<std::string> &arguments,
+                rlim_t largestFile = RLIM_INFINITY) const {
+        return Program(m_folder, arguments, largestFile).finish();
     }
 
     /// Names in a folder.
@@ -179,17 +188,41 @@ protected:
         return names;
     }
 
-    std::string output;
-    std::string errors;
-
 private:
     fs::path m_folder;
 };
 
+class Nori : public testing::Test {
+protected:
+    fs::path path(const std::string &name) const { return m_workplace.path(name); }
+
+    void write(const std::string &name, const std::string &text) const {
+        m_workplace.write(name, text);
+    }
+
+    std::set<std::string> files(const std::string &folder) const {
+        return m_workplace.files(folder);
+    }
+
+    /// Runs the program to its end. \return  its exit code; texts are in output() and errors()
+    int run(const std::vector<std::string> &arguments, rlim_t largestFile = RLIM_INFINITY) {
+        m_outcome = m_workplace.run(arguments, largestFile);
+        return m_outcome.code;
+    }
+
+    const std::string &output() const { return m_outcome.output; }
+
+    const std::string &errors() const { return m_outcome.errors; }
+
+private:
+    Workplace m_workplace;
+    Outcome m_outcome;
+};
+
 TEST_F(Nori, WritesBesideTheSceneWithTheFactsInTheHeader) {
-    ASSERT_EQ(run({"scenes/small.xml"}), 0) << errors;
-    EXPECT_EQ(errors, "");
-    EXPECT_NE(output.find("scenes/small_3.exr"), std::string::npos) << output;
+    ASSERT_EQ(run({"scenes/small.xml"}), 0) << errors();
+    EXPECT_EQ(errors(), "");
+    EXPECT_NE(output().find("scenes/small_3.exr"), std::string::npos) << output();
     EXPECT_EQ(files("scenes"),
               (std::set<std::string>{"meshes", "small.xml", "small_3.exr", "small_3.png"}));
     const Exr exr = loadExr(path("scenes/small_3.exr"));
@@ -205,7 +238,7 @@ TEST_F(Nori, WritesBesideTheSceneWithTheFactsInTheHeader) {
 TEST_F(Nori, TakesOptionsInAnyOrderAndInAllDialects) {
     ASSERT_EQ(run({"-b", "--threads", "2", "scenes/small.xml", "--nogui", "--no-gui", "--quiet"}),
               0);
-    EXPECT_EQ(output + errors, "");
+    EXPECT_EQ(output() + errors(), "");
     ASSERT_EQ(run({"--spp=2", "scenes/small.xml", "-t", "1"}), 0);
     EXPECT_TRUE(fs::exists(path("scenes/small_2.exr")));
     ASSERT_EQ(run({"scenes/small.xml", "--output", "here"}), 0);
@@ -221,14 +254,14 @@ TEST_F(Nori, RendersTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(one.channels, loadExr(path("three.exr")).channels);
     for (const char *layer : {"count.Y", "mean.R", "variance.G", "third.B"})
         EXPECT_EQ(one.channels.count(layer), 1u) << layer;
-    EXPECT_EQ(one.channels.at("count.Y"), std::vector<float>(40 * 36, 3.0f));
+    EXPECT_EQ(one.channels.at("count.Y"), std::vector<float>(std::size_t{40} * 36, 3.0f));
 }
 
 TEST_F(Nori, DrawsOtherSamplesWithAnotherSeedOnly) {
     const auto render = [this](const std::vector<std::string> &more) {
         std::vector<std::string> arguments{"scenes/small.xml", "--output", "out"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        EXPECT_EQ(run(arguments), 0) << errors;
+        EXPECT_EQ(run(arguments), 0) << errors();
         return loadExr(path("out.exr"));
     };
     const Exr scenes = render({"--spp", "4"});
@@ -251,12 +284,12 @@ TEST_F(Nori, SaysWhatIsWrongWithTheCommandLine) {
         {"scenes/small.xml", "--output"}};
     for (const auto &mistake : mistakes) {
         EXPECT_EQ(run(mistake), 2) << testing::PrintToString(mistake);
-        EXPECT_NE(errors.find("--help"), std::string::npos) << errors;
+        EXPECT_NE(errors().find("--help"), std::string::npos) << errors();
     }
     EXPECT_EQ(run({"--help"}), 0);
-    EXPECT_NE(output.find("Examples:"), std::string::npos);
+    EXPECT_NE(output().find("Examples:"), std::string::npos);
     EXPECT_EQ(run({"--version"}), 0);
-    EXPECT_EQ(output.find("nori "), 0u);
+    EXPECT_EQ(output().find("nori "), 0u);
 }
 
 TEST_F(Nori, ReportsScenesThatCannotBeRead) {
@@ -275,8 +308,8 @@ TEST_F(Nori, ReportsScenesThatCannotBeRead) {
         {"scenes", "scenes: a scene file (.xml) is expected"}};
     for (const auto &[file, message] : cases) {
         EXPECT_EQ(run({file}), 1) << file;
-        EXPECT_NE(errors.find(message), std::string::npos) << errors;
-        EXPECT_EQ(output, "");
+        EXPECT_NE(errors().find(message), std::string::npos) << errors();
+        EXPECT_EQ(output(), "");
     }
     for (const std::string &name : files("."))
         EXPECT_EQ(name.find(".writing"), std::string::npos) << name;
@@ -292,14 +325,14 @@ TEST_F(Nori, ReportsBeforeRenderingWhereItCannotWrite) {
         {"black.xml/image", "there is no folder black.xml"}};
     for (const auto &[stem, message] : cases) {
         EXPECT_EQ(run({"scenes/small.xml", "--spp", "10000000", "--output", stem}), 1) << stem;
-        EXPECT_NE(errors.find(message), std::string::npos) << errors;
+        EXPECT_NE(errors().find(message), std::string::npos) << errors();
     }
 }
 
 TEST_F(Nori, LeavesNothingBehindWhenTheDiskIsFull) {
     write("full.exr", "the image of an earlier run");
     EXPECT_EQ(run({"scenes/small.xml", "--output", "full"}, 1000), 1);
-    EXPECT_NE(errors.find("full.exr: cannot be written: "), std::string::npos) << errors;
+    EXPECT_NE(errors().find("full.exr: cannot be written: "), std::string::npos) << errors();
     EXPECT_EQ(files("."), (std::set<std::string>{"black.xml", "full.exr", "scenes"}));
     std::string text;
     std::getline(std::ifstream(path("full.exr")), text);
@@ -308,17 +341,19 @@ TEST_F(Nori, LeavesNothingBehindWhenTheDiskIsFull) {
 
 TEST_F(Nori, WarnsOfAnEmptySceneAndRendersIt) {
     ASSERT_EQ(run({"black.xml"}), 0);
-    EXPECT_NE(errors.find("Warning: the scene holds no mesh"), std::string::npos) << errors;
-    EXPECT_NE(errors.find("the image is black: the scene holds no light"), std::string::npos);
-    EXPECT_EQ(loadExr(path("black_1.exr")).channels.at("G"), std::vector<float>(64 * 64, 0.0f));
+    EXPECT_NE(errors().find("Warning: the scene holds no mesh"), std::string::npos) << errors();
+    EXPECT_NE(errors().find("the image is black: the scene holds no light"), std::string::npos);
+    EXPECT_EQ(loadExr(path("black_1.exr")).channels.at("G"),
+              std::vector<float>(std::size_t{64} * 64, 0.0f));
 }
 
 TEST_F(Nori, WritesWhatIsThereWhenInterrupted) {
     Program program(path("."), {"black.xml", "--spp", "10000000", "--output", "part"});
     program.waitForWarning();
     program.signal(SIGINT);
-    EXPECT_EQ(program.finish(), 130);
-    EXPECT_NE(program.output.find("(partial)"), std::string::npos) << program.output;
+    const Outcome outcome = program.finish();
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_NE(outcome.output.find("(partial)"), std::string::npos) << outcome.output;
     EXPECT_EQ(loadExr(path("part.exr")).attributes.at("partial"), "yes");
     EXPECT_EQ(files("."), (std::set<std::string>{"black.xml", "part.exr", "part.png", "scenes"}));
 }
@@ -328,7 +363,7 @@ TEST_F(Nori, NeverLeavesHalfAnImageWhenInterruptedTwice) {
     program.waitForWarning();
     program.signal(SIGINT);
     program.signal(SIGINT);
-    EXPECT_EQ(program.finish(), 130);
+    EXPECT_EQ(program.finish().code, 130);
     if (fs::exists(path("part.exr"))) {
         EXPECT_EQ(loadExr(path("part.exr")).attributes.at("partial"), "yes");
     }
