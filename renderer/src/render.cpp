@@ -16,6 +16,9 @@ NORI_NAMESPACE_BEGIN
 
 namespace {
 
+/// Of an image [pixels]; with the filter's border it must still be an int.
+constexpr int kMaxSide = 1 << 24;
+
 /// Sums of one pixel and channel about a running mean. \see Pebay 2008, eq. 2.1 and 2.2
 struct Accumulator {
     double mean = 0;
@@ -63,9 +66,9 @@ public:
           m_options(options),
           m_camera(*scene.getCamera()),
           m_size(m_camera.getOutputSize()) {
-        if (m_size.x() <= 0 || m_size.y() <= 0)
-            throw NoriException("The camera's image has %d x %d pixels; it needs at least one",
-                                m_size.x(), m_size.y());
+        if (m_size.minCoeff() <= 0 || m_size.maxCoeff() > kMaxSide)
+            throw NoriException("The camera's image has %d x %d pixels; a side can have 1 to %d",
+                                m_size.x(), m_size.y(), kMaxSide);
         m_sampler = makeSampler();
         m_samplesPerPixel = options.samplesPerPixel > 0
                                 ? options.samplesPerPixel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <pcg32.h>
 
 #include "scene_file.h"
 
@@ -134,6 +135,35 @@ TEST(Parser, ReadsCommasBlanksCommentsAndForeignLineEnds) {
                                   "<color name=\"radiance\" value=\"1, 2 3\"/></emitter>\r\n"
                                   "</scene>\r\n");
     EXPECT_EQ(static_cast<const Scene &>(*root).getLights().size(), 1u);
+}
+
+TEST(Parser, SurvivesDamagedFiles) {
+    const test::SceneFolder folder;
+    const std::string triangle =
+        "v 1 0 0\nv 2 0 0\nvt 0 1\nv 1 1 0\nvn 0 0 1\nf 1/1/1 -2/1/1 3/1/1\n";
+    const std::string scene = test::sceneWith(
+        test::meshOf("mesh.obj") +
+        "<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 2 3\"/></emitter>");
+    pcg32 random;
+    random.seed(1, 1);
+    constexpr int kFiles = 200;
+    int refused = 0;
+    const auto refuses = [&](const std::string &sceneText, const std::string &meshText) {
+        folder.write("mesh.obj", meshText);
+        return folder.errorOf(sceneText).empty() ? 0 : 1;
+    };
+    ASSERT_EQ(refuses(scene, triangle), 0);
+    for (int i = 0; i < kFiles; ++i) {
+        std::string text = i % 2 == 0 ? scene : triangle;
+        const auto at = random.nextUInt(static_cast<uint32_t>(text.size()));
+        if (i % 4 < 2)
+            text.resize(at);
+        else
+            text[at] = static_cast<char>(random.nextUInt(256));
+        refused += i % 2 == 0 ? refuses(text, triangle) : refuses(scene, text);
+    }
+    EXPECT_GT(refused, kFiles / 4);
+    EXPECT_LT(refused, kFiles);
 }
 
 TEST(Parser, CountsLinesWithForeignLineEnds) {

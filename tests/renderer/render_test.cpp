@@ -265,7 +265,8 @@ TEST(Render, RefusesAnImageWithoutPixelsOrTooManyOfThem) {
     scene.addChild(new EmptyCamera);
     scene.activate();
     EXPECT_THROW(render(scene), NoriException);
-    EXPECT_THROW(render(*makeScene(new NoiseIntegrator, 2000000, 2000000)), NoriException);
+    for (const int side : {2000000, std::numeric_limits<int>::max()})
+        EXPECT_THROW(render(*makeScene(new NoiseIntegrator, side, side)), NoriException);
 }
 
 } // namespace
