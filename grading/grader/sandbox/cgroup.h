@@ -20,8 +20,8 @@ public:
     /// \throws GraderError  if it cannot be made
     Cgroup(const CgroupPlaces &places, const BoxLimits &limits);
     ~Cgroup();
-    Cgroup(const Cgroup &) = delete;
-    Cgroup &operator=(const Cgroup &) = delete;
+    Cgroup(Cgroup &&) = delete;
+    Cgroup &operator=(Cgroup &&) = delete;
 
     /// Puts a process in. \throws GraderError
     void add(pid_t process);

@@ -9,7 +9,6 @@
 
 #include <fcntl.h>
 #include <grp.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -18,6 +17,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -211,6 +211,7 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
     const bool asRoot = ::geteuid() == 0;
     std::vector<std::string> arguments = bubblewrapArguments(spec, kStatusFd, kFilterFd);
     std::vector<char *> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string &argument : arguments)
         argv.push_back(argument.data());
     argv.push_back(nullptr);

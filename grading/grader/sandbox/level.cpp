@@ -51,9 +51,9 @@ Sandbox::Sandbox(SandboxLevel wanted) {
         return;
     }
     m_findings.emplace_back("bubblewrap: yes");
-    m_findings.push_back(::geteuid() == 0
-                             ? "user: root; submissions run as user 65534"
-                             : "user: ordinary; submissions run as a user namespace's nobody");
+    m_findings.emplace_back(::geteuid() == 0
+                                ? "user: root; submissions run as user 65534"
+                                : "user: ordinary; submissions run as a user namespace's nobody");
     adoptOrphans();
     const std::string failure = tryOut(SandboxLevel::S2);
     if (!failure.empty()) {

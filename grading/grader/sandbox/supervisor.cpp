@@ -4,17 +4,17 @@
 #include <grader/sandbox/cgroup.h>
 
 #include <poll.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 namespace grader {
@@ -48,7 +48,7 @@ double seconds(const rusage &usage) {
 }
 
 /// CPU time of all that descends from a process, as it runs.
-double descendantsSeconds(pid_t process) { // NOLINT(misc-no-recursion): as deep as the box's tree
+double descendantsSeconds(pid_t process) {
     const std::string name = std::to_string(process);
     std::ifstream children("/proc/" + name + "/task/" + name + "/children");
     double sum = 0;
