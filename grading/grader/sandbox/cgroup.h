@@ -20,6 +20,8 @@ public:
     /// \throws GraderError  if it cannot be made
     Cgroup(const CgroupPlaces &places, const BoxLimits &limits);
     ~Cgroup();
+    Cgroup(const Cgroup &) = delete;
+    Cgroup &operator=(const Cgroup &) = delete;
     Cgroup(Cgroup &&) = delete;
     Cgroup &operator=(Cgroup &&) = delete;
 

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -27,6 +28,8 @@ namespace {
 
 constexpr char kBubblewrap[] = "/usr/bin/bwrap";
 constexpr uid_t kNobody = 65534;
+constexpr uid_t kFirstUser = 1'000'000'000; ///< of those that root's boxes run as
+constexpr uid_t kBoxesAtOnce = 64;
 constexpr int kFirstDescriptor = 3; ///< BoxSpec::descriptors
 constexpr int kStatusFd = 20;
 constexpr int kFilterFd = 21;
@@ -84,6 +87,7 @@ struct ChildPlan {
     int statusFd;
     int filterFd;
     bool asRoot;
+    uid_t user; ///< to become as root
     rlim_t processes;
     rlim_t addressBytes;
     const BoxLimits *limits;
@@ -95,7 +99,12 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard, const char *wha
         childFails(what);
 }
 
-void setLimits(const ChildPlan &plan) {
+bool become(uid_t user) {
+    return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
+           ::setresuid(user, user, user) == 0;
+}
+
+void setLimits(const ChildPlan &plan, rlim_t processes) {
     const auto seconds = static_cast<rlim_t>((plan.limits->cpu + std::chrono::milliseconds(999)) /
                                              std::chrono::seconds(1));
     limit(RLIMIT_CPU, seconds, seconds + 1, "RLIMIT_CPU");
@@ -103,7 +112,7 @@ void setLimits(const ChildPlan &plan) {
     limit(RLIMIT_FSIZE, plan.limits->fileBytes, plan.limits->fileBytes, "RLIMIT_FSIZE");
     limit(RLIMIT_CORE, 0, 0, "RLIMIT_CORE");
     limit(RLIMIT_NOFILE, 256, 256, "RLIMIT_NOFILE");
-    limit(RLIMIT_NPROC, plan.processes, plan.processes, "RLIMIT_NPROC");
+    limit(RLIMIT_NPROC, processes, processes, "RLIMIT_NPROC");
 }
 
 void giveDescriptors(const ChildPlan &plan) {
@@ -146,11 +155,14 @@ void giveDescriptors(const ChildPlan &plan) {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
     if (::setsid() < 0)
         childFails("setsid");
-    setLimits(plan);
-    if (plan.asRoot &&
-        (::setgroups(0, nullptr) != 0 || ::setresgid(kNobody, kNobody, kNobody) != 0 ||
-         ::setresuid(kNobody, kNobody, kNobody) != 0))
-        childFails("setresuid");
+    rlim_t processes = plan.processes;
+    if (plan.asRoot && !become(plan.user)) {
+        // A container's root may have no users that far up: then all boxes share one.
+        if (!become(kNobody))
+            childFails("setresuid");
+        processes *= kBoxesAtOnce;
+    }
+    setLimits(plan, processes);
     // Changing user has cleared it.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
@@ -231,10 +243,14 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
     plan.statusFd = status.write.get();
     plan.filterFd = filter.get();
     plan.asRoot = asRoot;
-    // As root all boxes share one user: room for as many as may run at a time.
-    constexpr rlim_t kBoxesAtOnce = 64;
-    plan.processes = asRoot ? spec.limits.processes * kBoxesAtOnce
-                            : processesOf(::geteuid()) + spec.limits.processes;
+    // The kernel counts processes by user, so as root each box has its own: one that starts all it
+    // may takes none from the others.
+    static std::atomic<unsigned> counter{0};
+    constexpr uid_t kMostProcesses = 1 << 22;
+    plan.user = kFirstUser + static_cast<uid_t>(::getpid()) % kMostProcesses * kBoxesAtOnce +
+                counter++ % kBoxesAtOnce;
+    constexpr rlim_t kOurOwn = 3; // bubblewrap twice, and its helper
+    plan.processes = spec.limits.processes + kOurOwn + (asRoot ? 0 : processesOf(::geteuid()));
     // A control group counts what is in use, so that the address space, of which allocators and
     // thread stacks reserve much more, needs only a coarse bound.
     constexpr rlim_t kReservedPerUsed = 4;

@@ -52,7 +52,7 @@ Sandbox::Sandbox(SandboxLevel wanted) {
     }
     m_findings.emplace_back("bubblewrap: yes");
     m_findings.emplace_back(::geteuid() == 0
-                                ? "user: root; submissions run as user 65534"
+                                ? "user: root; each box runs as a user of its own"
                                 : "user: ordinary; submissions run as a user namespace's nobody");
     adoptOrphans();
     const std::string failure = tryOut(SandboxLevel::S2);

@@ -68,8 +68,8 @@ std::string startError(std::string log) {
     if (log.empty())
         return "bubblewrap ended without a word";
     if (log.find("Permission denied") != std::string::npos)
-        log += "; submissions run as user 65534, so every folder on that path must be searchable "
-               "for all users (chmod o+x)";
+        log += "; submissions run as a user without rights, so every folder on that path must be "
+               "searchable for all (chmod o+x)";
     return log;
 }
 

@@ -26,6 +26,8 @@ public:
 
     ~Supervisor() { endAll(); }
 
+    Supervisor(const Supervisor &) = delete;
+    Supervisor &operator=(const Supervisor &) = delete;
     Supervisor(Supervisor &&) = delete;
     Supervisor &operator=(Supervisor &&) = delete;
 
