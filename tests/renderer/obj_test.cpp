@@ -14,8 +14,8 @@ struct BrokenMesh {
     std::vector<std::string> message; ///< parts that the error must have
 };
 
-void PrintTo(const BrokenMesh &mesh, std::ostream *stream) {
-    *stream << mesh.text;
+std::ostream &operator<<(std::ostream &stream, const BrokenMesh &mesh) {
+    return stream << mesh.text;
 }
 
 std::vector<BrokenMesh> brokenMeshes() {
@@ -31,7 +31,7 @@ std::vector<BrokenMesh> brokenMeshes() {
         {"HugeVertex", "v 1e60 0 0\n", {"mesh.obj:1: ", "not finite: 1e60"}},
         {"NaNNormal", v + "vn nan 0 0\n", {"mesh.obj:5: ", "normal is not finite: nan"}},
         {"ShortVertex", "v 1 2\n", {"mesh.obj:1: a coordinate of a vertex is missing"}},
-        {"NoNumber", "v 1 2 x3\n", {"mesh.obj:1: \"x3\" is no number"}},
+        {"NoNumber", "v 1 2 x3\n", {R"(mesh.obj:1: "x3" is no number)"}},
         {"TwoCorners", v + "f 1 2\n", {"mesh.obj:5: a face of fewer than three corners"}},
         {"IndexTooLarge",
          v + "f 1 2 9\n",
@@ -39,7 +39,7 @@ std::vector<BrokenMesh> brokenMeshes() {
         {"IndexZero", v + "f 0 1 2\n", {"mesh.obj:5: the vertex 0 does not exist"}},
         {"NegativeTooFar", v + "f -5 1 2\n", {"mesh.obj:5: the vertex -5 does not exist"}},
         {"IndexBeyondLong", v + "f 1 2 99999999999999999999\n", {"mesh.obj:5: the vertex 9999"}},
-        {"NoIndex", v + "f 1 2 x\n", {"mesh.obj:5: \"x\" is no index of a vertex"}},
+        {"NoIndex", v + "f 1 2 x\n", {R"(mesh.obj:5: "x" is no index of a vertex)"}},
         {"FourParts", v + "f 1/1/1/1 2 3\n", {"mesh.obj:5: ", "known: p, p/t, p//n, p/t/n"}},
         {"NoSuchUv",
          v + "f 1/1 2/1 3/1\n",
@@ -56,7 +56,7 @@ TEST_P(BrokenMeshTest, IsReportedWithItsPlace) {
     const test::SceneFolder folder;
     folder.write("mesh.obj", GetParam().text);
     const std::string message = folder.errorOf(test::sceneWith(test::meshOf("mesh.obj")));
-    EXPECT_EQ(message.find("scene.xml:3: <mesh type=\"obj\">: "), 0u) << message;
+    EXPECT_EQ(message.find(R"(scene.xml:3: <mesh type="obj">: )"), 0u) << message;
     for (const std::string &part : GetParam().message)
         EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks " << part;
 }
@@ -69,8 +69,8 @@ protected:
     /// Reads `text` as a mesh; `transform` holds the steps of toWorld.
     const Mesh &load(const std::string &text, const std::string &transform = "") {
         m_folder.write("mesh.obj", text);
-        m_mesh = m_folder.load("<mesh type=\"obj\"><string name=\"filename\" value=\"mesh.obj\"/>"
-                               "<transform name=\"toWorld\">" +
+        m_mesh = m_folder.load(R"(<mesh type="obj"><string name="filename" value="mesh.obj"/>)"
+                               R"(<transform name="toWorld">)" +
                                transform + "</transform></mesh>");
         return static_cast<const Mesh &>(*m_mesh);
     }
@@ -131,7 +131,7 @@ TEST_F(Obj, ReadsBlanksForeignLineEndsCommentsAndWhatItIgnores) {
 
 TEST_F(Obj, TransformsPointsAndNormalsAndCoversAllPositions) {
     const Mesh &mesh = load(std::string(kVertices) + "v 9 9 9\nvn 1 1 0\nf 1//1 2//1 3//1\n",
-                            "<scale value=\"2 1 1\"/><translate value=\"0 0 5\"/>");
+                            R"(<scale value="2 1 1"/><translate value="0 0 5"/>)");
     EXPECT_TRUE(cornerOf(mesh, 0, 1).isApprox(Point3f(2, 0, 5)));
     // by the inverse transpose: (1/2, 1, 0), of length 1
     EXPECT_TRUE(mesh.getVertexNormals().col(0).isApprox(Vector3f(0.5f, 1, 0).normalized()));
@@ -139,7 +139,7 @@ TEST_F(Obj, TransformsPointsAndNormalsAndCoversAllPositions) {
 }
 
 TEST_F(Obj, KeepsTheWindingWhenMirrored) {
-    const Mesh &mesh = load(std::string(kVertices) + "f 1 2 3\n", "<scale value=\"-1 1 1\"/>");
+    const Mesh &mesh = load(std::string(kVertices) + "f 1 2 3\n", R"(<scale value="-1 1 1"/>)");
     EXPECT_EQ(cornerOf(mesh, 0, 1), Point3f(-1, 0, 0)); // so its normal points to -z, as in Nori
 }
 

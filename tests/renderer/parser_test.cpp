@@ -13,8 +13,8 @@ struct BrokenScene {
     std::vector<std::string> message; ///< parts that the error must have
 };
 
-void PrintTo(const BrokenScene &scene, std::ostream *stream) {
-    *stream << scene.text;
+std::ostream &operator<<(std::ostream &stream, const BrokenScene &scene) {
+    return stream << scene.text;
 }
 
 std::vector<BrokenScene> brokenScenes() {
@@ -25,81 +25,84 @@ std::vector<BrokenScene> brokenScenes() {
         {"Malformed", "<scene>\n<integrator\n</scene>", {"scene.xml:3"}},
         {"Unclosed", "<scene>\n<integrator type=\"normals\"/>\n", {"scene.xml:"}},
         {"TwoRoots", "<scene/>\n<scene/>", {"scene.xml:2", "a second element"}},
-        {"NoObject", "<float name=\"a\" value=\"1\"/>", {"scene.xml:1", "known: bsdf, camera"}},
-        {"Text", in("stray text"), {"scene.xml:1: <scene>: holds the text \"", "stray text"}},
+        {"NoObject", R"(<float name="a" value="1"/>)", {"scene.xml:1", "known: bsdf, camera"}},
+        {"Text", in("stray text"), {R"(scene.xml:1: <scene>: holds the text ")", "stray text"}},
         {"UnknownElement", in("<light/>"), {"scene.xml:3: <light>: unknown element; known: bsdf"}},
         {"UnknownEmitter",
-         in("<emitter type=\"aera\"/>"),
-         {"scene.xml:3: <emitter type=\"aera\">: unknown emitter; known: area, environment, "
+         in(R"(<emitter type="aera"/>)"),
+         {R"(scene.xml:3: <emitter type="aera">: unknown emitter; known: area, environment, )"
           "pointlight"}},
-        {"NoType", in("<emitter/>"), {"scene.xml:3: <emitter>: the attribute \"type\" is missing"}},
-        {"OtherKind", in("<emitter type=\"diffuse\"/>"), {"scene.xml:3", "kind", "known: area"}},
+        {"NoType",
+         in("<emitter/>"),
+         {R"(scene.xml:3: <emitter>: the attribute "type" is missing)"}},
+        {"OtherKind", in(R"(<emitter type="diffuse"/>)"), {"scene.xml:3", "kind", "known: area"}},
         {"UnknownProperty",
          in("<emitter type=\"pointlight\">\n<color name=\"radianse\" value=\"1 1 1\"/></emitter>"),
-         {"scene.xml:4: <color name=\"radianse\">: unknown property", "known: position, radiance"}},
+         {R"(scene.xml:4: <color name="radianse">: unknown property)",
+          "known: position, radiance"}},
         {"PropertyOfAnotherType",
-         in("<emitter type=\"pointlight\"><float name=\"radiance\" value=\"1\"/></emitter>"),
-         {"scene.xml:3: <emitter type=\"pointlight\">", "'radiance'", "<color>", "<float>"}},
+         in(R"(<emitter type="pointlight"><float name="radiance" value="1"/></emitter>)"),
+         {R"(scene.xml:3: <emitter type="pointlight">)", "'radiance'", "<color>", "<float>"}},
         {"PropertyTwice",
          in("<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 1 1\"/>\n"
-            "<color name=\"radiance\" value=\"2 2 2\"/></emitter>"),
-         {"scene.xml:4: <color name=\"radiance\">: the property is given twice"}},
+            R"(<color name="radiance" value="2 2 2"/></emitter>)"),
+         {R"(scene.xml:4: <color name="radiance">: the property is given twice)"}},
         {"NoValue",
-         in("<emitter type=\"pointlight\"><color name=\"radiance\"/></emitter>"),
-         {"scene.xml:3: <color name=\"radiance\">: the attribute \"value\" is missing"}},
+         in(R"(<emitter type="pointlight"><color name="radiance"/></emitter>)"),
+         {R"(scene.xml:3: <color name="radiance">: the attribute "value" is missing)"}},
         {"NoName",
-         in("<emitter type=\"pointlight\"><color value=\"1 1 1\"/></emitter>"),
-         {"scene.xml:3: <color>: the attribute \"name\" is missing"}},
+         in(R"(<emitter type="pointlight"><color value="1 1 1"/></emitter>)"),
+         {R"(scene.xml:3: <color>: the attribute "name" is missing)"}},
         {"NoNumber",
-         in("<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 x 1\"/></emitter>"),
-         {"scene.xml:3: <color name=\"radiance\">", "\"x\""}},
+         in(R"(<emitter type="pointlight"><color name="radiance" value="1 x 1"/></emitter>)"),
+         {R"(scene.xml:3: <color name="radiance">)", R"("x")"}},
         {"TwoNumbers",
-         in("<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 1\"/></emitter>"),
-         {"scene.xml:3: <color name=\"radiance\">: "}},
+         in(R"(<emitter type="pointlight"><color name="radiance" value="1 1"/></emitter>)"),
+         {R"(scene.xml:3: <color name="radiance">: )"}},
         {"NoBoolean",
-         in("<bsdf type=\"diffuse\"><boolean name=\"a\" value=\"maybe\"/></bsdf>"),
-         {"scene.xml:3: <boolean name=\"a\">", "maybe"}},
+         in(R"(<bsdf type="diffuse"><boolean name="a" value="maybe"/></bsdf>)"),
+         {R"(scene.xml:3: <boolean name="a">)", "maybe"}},
         {"UnknownStep",
-         in("<mesh type=\"obj\"><transform name=\"toWorld\"><skew "
-            "value=\"1\"/></transform></mesh>"),
+         in(R"(<mesh type="obj"><transform name="toWorld"><skew )"
+            R"(value="1"/></transform></mesh>)"),
          {"scene.xml:3: <skew>", "known: lookat, matrix, rotate, scale, translate"}},
         {"ShortMatrix",
-         in("<mesh type=\"obj\"><transform name=\"toWorld\"><matrix value=\"1 2\"/></transform>"
+         in(R"(<mesh type="obj"><transform name="toWorld"><matrix value="1 2"/></transform>)"
             "</mesh>"),
          {"scene.xml:3: <matrix>: a matrix has 16 numbers, not 2"}},
         {"LookAtNothing",
-         in("<mesh type=\"obj\"><transform name=\"toWorld\"><lookat origin=\"1 1 1\" "
-            "target=\"1 1 1\" up=\"0 1 0\"/></transform></mesh>"),
+         in(R"(<mesh type="obj"><transform name="toWorld"><lookat origin="1 1 1" )"
+            R"(target="1 1 1" up="0 1 0"/></transform></mesh>)"),
          {"scene.xml:3: <lookat>: origin and target are the same point"}},
         {"NoFile", in(test::meshOf("absent.obj")), {"scene.xml:3", "absent.obj: No such file"}},
         {"NoFileName",
-         in("<mesh type=\"obj\"/>"),
-         {"scene.xml:3: <mesh type=\"obj\">", "filename"}},
+         in(R"(<mesh type="obj"/>)"),
+         {R"(scene.xml:3: <mesh type="obj">)", "filename"}},
         {"NoImage",
-         in("<emitter type=\"environment\"><string name=\"filename\" value=\"absent.exr\"/>"
+         in(R"(<emitter type="environment"><string name="filename" value="absent.exr"/>)"
             "</emitter>"),
-         {"scene.xml:3: <emitter type=\"environment\">", "absent.exr", "No such file"}},
+         {R"(scene.xml:3: <emitter type="environment">)", "absent.exr", "No such file"}},
         {"BrokenImage",
-         in("<emitter type=\"environment\"><string name=\"filename\" value=\"scene.xml\"/>"
+         in(R"(<emitter type="environment"><string name="filename" value="scene.xml"/>)"
             "</emitter>"),
-         {"scene.xml:3: <emitter type=\"environment\">", "not an image file"}},
+         {R"(scene.xml:3: <emitter type="environment">)", "not an image file"}},
         {"NoIntegrator",
-         "<scene><camera type=\"perspective\"/></scene>",
+         R"(<scene><camera type="perspective"/></scene>)",
          {"<scene>", "integrator"}},
-        {"NoCamera", "<scene><integrator type=\"normals\"/></scene>", {"<scene>", "camera"}},
+        {"NoCamera", R"(<scene><integrator type="normals"/></scene>)", {"<scene>", "camera"}},
         {"TwoCameras",
-         in("<camera type=\"perspective\"/>"),
+         in(R"(<camera type="perspective"/>)"),
          {"scene.xml:3: <camera", "only be one camera"}},
         {"NoPixels",
          "<scene>\n<camera type=\"perspective\"><integer name=\"height\" value=\"0\"/></camera>"
          "</scene>",
-         {"scene.xml:2: <camera type=\"perspective\">", "1280 x 0 pixels"}},
+         {R"(scene.xml:2: <camera type="perspective">)", "1280 x 0 pixels"}},
         {"NoSamples",
-         in("<sampler type=\"independent\"><integer name=\"sampleCount\" value=\"0\"/></sampler>"),
-         {"scene.xml:3: <sampler type=\"independent\">", "'sampleCount' is 0"}},
+         in(R"(<sampler type="independent"><integer name="sampleCount" value="0"/></sampler>)"),
+         {R"(scene.xml:3: <sampler type="independent">)", "'sampleCount' is 0"}},
         {"ChildOfTheWrongKind",
-         in("<camera type=\"perspective\"><bsdf type=\"diffuse\"/></camera>"),
-         {"scene.xml:3: <bsdf type=\"diffuse\">", "not supported"}},
+         in(R"(<camera type="perspective"><bsdf type="diffuse"/></camera>)"),
+         {R"(scene.xml:3: <bsdf type="diffuse">)", "not supported"}},
     };
 }
 
@@ -131,7 +134,7 @@ TEST(Parser, ReadsCommasBlanksCommentsAndForeignLineEnds) {
     const auto root = folder.load("\xef\xbb\xbf<?xml version=\"1.0\"?>\r\n<!-- A\xc3\xb1o -->\r\n"
                                   "<scene>\r\n<!-- - -->\r\n<integrator type=\"normals\"/>"
                                   "<camera type=\"perspective\"/>\r\n"
-                                  "<emitter type=\"pointlight\" name=\"luz\" extra=\"1\">"
+                                  R"(<emitter type="pointlight" name="luz" extra="1">)"
                                   "<color name=\"radiance\" value=\"1, 2 3\"/></emitter>\r\n"
                                   "</scene>\r\n");
     EXPECT_EQ(static_cast<const Scene &>(*root).getLights().size(), 1u);
@@ -143,7 +146,7 @@ TEST(Parser, SurvivesDamagedFiles) {
         "v 1 0 0\nv 2 0 0\nvt 0 1\nv 1 1 0\nvn 0 0 1\nf 1/1/1 -2/1/1 3/1/1\n";
     const std::string scene = test::sceneWith(
         test::meshOf("mesh.obj") +
-        "<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 2 3\"/></emitter>");
+        R"(<emitter type="pointlight"><color name="radiance" value="1 2 3"/></emitter>)");
     pcg32 random;
     random.seed(1, 1);
     constexpr int kFiles = 200;
@@ -175,10 +178,10 @@ TEST(Parser, CountsLinesWithForeignLineEnds) {
 TEST(Parser, AppliesTransformationsInTheirOrder) {
     const test::SceneFolder folder;
     folder.write("triangle.obj", "v 1 0 0\nv 2 0 0\nv 1 1 0\nf 1 2 3\n");
-    const auto mesh = folder.load("<mesh type=\"obj\"><string name=\"filename\" "
-                                  "value=\"triangle.obj\"/><transform name=\"toWorld\">"
-                                  "<translate value=\"1 0 0\"/><scale value=\"2 3 4\"/>"
-                                  "<rotate angle=\"90\" axis=\"0 0 1\"/></transform></mesh>");
+    const auto mesh = folder.load(R"(<mesh type="obj"><string name="filename" )"
+                                  R"(value="triangle.obj"/><transform name="toWorld">)"
+                                  R"(<translate value="1 0 0"/><scale value="2 3 4"/>)"
+                                  R"(<rotate angle="90" axis="0 0 1"/></transform></mesh>)");
     const MatrixXf &positions = static_cast<const Mesh &>(*mesh).getVertexPositions();
     // (1, 0, 0) -> (2, 0, 0) -> (4, 0, 0) -> (0, 4, 0)
     EXPECT_TRUE(positions.col(0).isApprox(Vector3f(0, 4, 0), 1e-5f)) << positions;
@@ -188,8 +191,8 @@ TEST(Parser, SetsParentsAndGivesAMeshWithoutBsdfADiffuseOne) {
     const test::SceneFolder folder;
     folder.write("triangle.obj", "v 1 0 0\nv 2 0 0\nv 1 1 0\nf 1 2 3\n");
     const auto root =
-        folder.load(test::sceneWith("<mesh type=\"obj\"><string name=\"filename\" "
-                                    "value=\"triangle.obj\"/><emitter type=\"area\"/></mesh>"));
+        folder.load(test::sceneWith(R"(<mesh type="obj"><string name="filename" )"
+                                    R"(value="triangle.obj"/><emitter type="area"/></mesh>)"));
     const auto &scene = static_cast<const Scene &>(*root);
     ASSERT_EQ(scene.getMeshes().size(), 1u);
     EXPECT_TRUE(scene.getMeshes()[0]->isEmitter());

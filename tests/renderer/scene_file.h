@@ -57,7 +57,7 @@ inline std::string sceneWith(const std::string &elements) {
 
 /// A mesh element for a file.
 inline std::string meshOf(const std::string &file) {
-    return "<mesh type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/></mesh>";
+    return R"(<mesh type="obj"><string name="filename" value=")" + file + R"("/></mesh>)";
 }
 
 } // namespace nori::test
