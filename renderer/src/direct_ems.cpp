@@ -45,9 +45,8 @@ private:
 
         // The segment ends short of the light, or rounding would let the light hide itself. How
         // short decides what is seen at grazing angles: 1e-5 is what the course's references were
-        // rendered with (0.006 of the distance below the plane of cbox's light, whose coordinates
-        // are below 2); beyond, it grows with them, as the start of the segment does.
-        const float slack = 1e-5f * std::max(1.0f, 0.5f * lRec.p.cwiseAbs().maxCoeff());
+        // rendered with. Far from the origin it grows with the rounding of the coordinates.
+        const float slack = std::max(1e-5f, 1e-6f * lRec.p.cwiseAbs().maxCoeff());
         if (scene->rayIntersect(Ray3f(its.p, lRec.wi, Epsilon, lRec.dist - slack)))
             return Color3f(0.0f);
 
