@@ -17,7 +17,8 @@ std::ostream &operator<<(std::ostream &stream, const BrokenScene &scene) {
     return stream << scene.text;
 }
 
-std::vector<BrokenScene> brokenScenes() {
+/// Mistakes in the file and its elements.
+std::vector<BrokenScene> brokenSyntax() {
     const auto in = test::sceneWith;
     return {
         {"Empty", "", {"scene.xml"}},
@@ -62,6 +63,13 @@ std::vector<BrokenScene> brokenScenes() {
         {"NoBoolean",
          in(R"(<bsdf type="diffuse"><boolean name="a" value="maybe"/></bsdf>)"),
          {R"(scene.xml:3: <boolean name="a">)", "maybe"}},
+    };
+}
+
+/// Mistakes that an object finds.
+std::vector<BrokenScene> brokenObjects() {
+    const auto in = test::sceneWith;
+    return {
         {"UnknownStep",
          in(R"(<mesh type="obj"><transform name="toWorld"><skew )"
             R"(value="1"/></transform></mesh>)"),
@@ -116,8 +124,11 @@ TEST_P(BrokenSceneTest, IsReportedWithItsPlace) {
         EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks " << part;
 }
 
-INSTANTIATE_TEST_SUITE_P(Parser, BrokenSceneTest, testing::ValuesIn(brokenScenes()),
-                         [](const auto &scene) { return scene.param.name; });
+const auto kName = [](const auto &scene) {
+    return scene.param.name;
+};
+INSTANTIATE_TEST_SUITE_P(Syntax, BrokenSceneTest, testing::ValuesIn(brokenSyntax()), kName);
+INSTANTIATE_TEST_SUITE_P(Objects, BrokenSceneTest, testing::ValuesIn(brokenObjects()), kName);
 
 TEST(Parser, ReadsAnEmptySceneWithNothingToSee) {
     const test::SceneFolder folder;
