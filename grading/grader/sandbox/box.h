@@ -24,7 +24,7 @@ enum class SandboxLevel { S0, S1, S2, S3 };
 const char *sandboxLevelName(SandboxLevel level);
 
 struct BoxLimits {
-    std::chrono::milliseconds cpu{20'000};
+    std::chrono::milliseconds cpu{20'000}; ///< of each process, rounded up to seconds
     std::chrono::milliseconds wall{60'000};
     std::uint64_t memoryBytes = std::uint64_t{2} << 30;
     std::uint64_t fileBytes = std::uint64_t{64} << 20; ///< largest file it may write

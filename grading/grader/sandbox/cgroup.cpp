@@ -18,6 +18,7 @@
 #include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 namespace grader {
 
@@ -132,11 +133,12 @@ CgroupPlaces findCgroupPlaces() {
     return places;
 }
 
-Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : m_version2(places.version2) {
+Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : Cgroup(places.version2) {
     for (const path &place : std::set<path>{places.memory, places.pids}) {
-        m_folders.push_back(makeGroup(place));
-        if (m_folders.back().empty())
+        path folder = makeGroup(place);
+        if (folder.empty())
             throw GraderError(fmt::format("{}: no control group can be made", place.string()));
+        m_folders.push_back(std::move(folder));
     }
     for (const path &folder : m_folders) {
         const std::string bytes = std::to_string(limits.memoryBytes);
@@ -148,8 +150,9 @@ Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : m_version2
             // bubblewrap itself and the namespace's first process are counted, too.
             {"pids.max", std::to_string(limits.processes + 3)}};
         for (const auto &[file, value] : settings) {
-            if (std::filesystem::exists(folder / file))
-                writeFile(folder / file, value);
+            if (std::filesystem::exists(folder / file) && !writeFile(folder / file, value))
+                throw GraderError(
+                    fmt::format("{}: it cannot be set to {}", (folder / file).string(), value));
         }
     }
 }

@@ -35,6 +35,9 @@ public:
     void killAll();
 
 private:
+    /// Completes an empty one, so that the destructor runs if the public constructor throws.
+    explicit Cgroup(bool version2) : m_version2(version2) {}
+
     std::vector<std::filesystem::path> m_folders;
     bool m_version2;
 };

@@ -86,6 +86,7 @@ struct ChildPlan {
     int logFd;
     int statusFd;
     int filterFd;
+    pid_t grader;
     bool asRoot;
     uid_t user; ///< to become as root
     rlim_t processes;
@@ -165,6 +166,8 @@ void giveDescriptors(const ChildPlan &plan) {
     setLimits(plan, processes);
     // Changing user has cleared it.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    if (::getppid() != plan.grader) // it was killed before that
+        ::_exit(1);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         childFails("no_new_privs");
     ::execv(kBubblewrap, plan.argv);
@@ -242,6 +245,7 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
     plan.logFd = log.write.get();
     plan.statusFd = status.write.get();
     plan.filterFd = filter.get();
+    plan.grader = ::getpid();
     plan.asRoot = asRoot;
     // The kernel counts processes by user, so as root each box has its own: one that starts all it
     // may takes none from the others.

@@ -182,9 +182,9 @@ BoxEnd Supervisor::end(bool outOfMemory) const {
     const int code = exitCode();
     if (code == kUnknown)
         return BoxNotStarted{startError(m_log)};
-    if (code <= kSignalOffset)
-        return BoxExited{code};
     const int signal = code - kSignalOffset;
+    if (signal <= 0 || signal > SIGRTMAX) // exit(-1) gives 255, which is no signal's
+        return BoxExited{code};
     const bool usedUp =
         m_cpuSeconds >= 0.9 * std::chrono::duration<double>(m_spec.limits.cpu).count();
     if (signal == SIGXCPU || (signal == SIGKILL && usedUp))

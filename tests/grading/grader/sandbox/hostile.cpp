@@ -15,6 +15,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -195,6 +196,8 @@ void attackKernel() {
     wantRefused("clone with a user namespace", child);
     wantRefused("mount", ::syscall(SYS_mount, "none", "/tmp", "tmpfs", 0, nullptr));
     wantRefused("bpf", ::syscall(SYS_bpf, 0, nullptr, 0));
+    unsigned long context = 0;
+    wantRefused("io_setup", ::syscall(SYS_io_setup, 8, &context));
     wantRefused("io_uring_setup", ::syscall(SYS_io_uring_setup, 8, nullptr));
     wantRefused("userfaultfd", ::syscall(SYS_userfaultfd, 0));
     wantRefused("keyctl", ::syscall(SYS_keyctl, 0, -3, 0));
@@ -204,6 +207,37 @@ void attackKernel() {
     const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
     wantRefused("more CPU time", ::setrlimit(RLIMIT_CPU, &more));
     wantRefused("more memory", ::setrlimit(RLIMIT_AS, &more));
+}
+
+/// bubblewrap runs as the first process and tells our end: it must not be led to tell another.
+void attackFirstProcess() {
+    for (int signal = 1; signal <= SIGRTMAX; ++signal)
+        ::kill(1, signal); // "sent", but a namespace's first process does not get it
+    const int first = static_cast<int>(::syscall(SYS_pidfd_open, 1, 0));
+    ::syscall(SYS_pidfd_send_signal, first, SIGKILL, nullptr, 0);
+    wantRefused("a descriptor of the first process", ::syscall(SYS_pidfd_getfd, first, 20, 0));
+    const rlimit none{};
+    wantRefused("a limit for the first process", ::prlimit(1, RLIMIT_CPU, &none, nullptr));
+    char word[8] = {};
+    iovec here{word, sizeof word};
+    iovec there{&here, sizeof word};
+    wantRefused("its memory", ::process_vm_readv(1, &here, 1, &there, 1, 0));
+    wantRefused("its memory to write", ::process_vm_writev(1, &here, 1, &there, 1, 0));
+    for (int fd = 3; fd < 256; ++fd)
+        wantRefused("a descriptor to forge on", ::write(fd, "{\"exit-code\": 0}\n", 17));
+}
+
+/// A filter that knows the calls of one machine only could be gone round by those of another.
+void callOtherMachines() {
+#ifdef __x86_64__
+    constexpr long kX32 = 0x40000000;
+    wantRefused("a call of x32", ::syscall(kX32 + SYS_getpid));
+    long result = 20; // getpid() of i386
+    __asm__ volatile("int $0x80" : "+a"(result) : : "memory", "r8", "r9", "r10", "r11");
+    wantRefused("a call of i386", result);
+#else
+    ::raise(SIGSYS);
+#endif
 }
 
 void lookAround() {
@@ -273,6 +307,10 @@ void crash() {
     ::raise(SIGSEGV);
 }
 
+void exitWithMinusOne() {
+    ::_exit(-1);
+}
+
 void exitWithSeven() {
     std::puts("PASSED");
     std::fflush(stdout);
@@ -280,11 +318,14 @@ void exitWithSeven() {
 }
 
 const std::map<std::string, void (*)()> kModes = {
+    {"attack_first_process", attackFirstProcess},
     {"attack_kernel", attackKernel},
+    {"call_other_machines", callOtherMachines},
     {"connect_out", connectOut},
     {"crash", crash},
     {"daemonise", daemonise},
     {"eat_memory", eatMemory},
+    {"exit_with_minus_one", exitWithMinusOne},
     {"exit_with_seven", exitWithSeven},
     {"fill_folders", fillFolders},
     {"flood_log", floodLog},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <grader/sandbox/box.h>
+#include <grader/sandbox/cgroup.h>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,19 @@ inline int processesMarked(const std::string &marker) {
     return count;
 }
 
+/// Control groups that `process` has made and that are still there.
+inline int controlGroupsOf(pid_t process) {
+    static const CgroupPlaces places = findCgroupPlaces();
+    const std::string prefix = "norigrade-" + std::to_string(process) + "-";
+    int count = 0;
+    for (const auto &place : {places.memory, places.pids}) {
+        std::error_code none; // no such place: no groups
+        for (const auto &entry : std::filesystem::directory_iterator(place, none))
+            count += entry.path().filename().string().rfind(prefix, 0) == 0 ? 1 : 0;
+    }
+    return count;
+}
+
 inline long openDescriptors() {
     const std::filesystem::directory_iterator entries("/proc/self/fd");
     return std::distance(begin(entries), end(entries));
@@ -66,6 +79,7 @@ protected:
     void TearDown() override {
         EXPECT_EQ(processesMarked(m_marker), 0);
         EXPECT_FALSE(hasChild());
+        EXPECT_EQ(controlGroupsOf(::getpid()), 0);
         EXPECT_EQ(wholeFile(sentinel()), "untouched");
         std::filesystem::remove_all(m_folder);
     }
