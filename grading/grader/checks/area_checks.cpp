@@ -60,8 +60,8 @@ LightScene makeLight(Light kind, std::uint64_t seed) {
         const double x = random.uniform(-1.5, 1.5);
         const double y = random.uniform(-1.5, 1.5);
         const double z = random.uniform(0.7, 2.2);
-        light.front.push_back((pose * Vector3d(x, y, z)).cast<float>().cast<double>());
-        light.behind.push_back((pose * Vector3d(x, y, -z)).cast<float>().cast<double>());
+        light.front.emplace_back((pose * Vector3d(x, y, z)).cast<float>().cast<double>());
+        light.behind.emplace_back((pose * Vector3d(x, y, -z)).cast<float>().cast<double>());
     }
     return light;
 }

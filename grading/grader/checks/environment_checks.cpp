@@ -184,6 +184,44 @@ CellProbabilities askProbabilities(CheckContext &context, const TestScene &scene
     return result;
 }
 
+/// Tests sampled directions against the cells' probabilities.
+statistics::StageResult compareDirections(const std::vector<EmitterSampleRow> &rows,
+                                          const CellProbabilities &expected) {
+    std::vector<double> counts(expected.cells.size());
+    std::vector<double> wanted;
+    for (const double p : expected.cells)
+        wanted.push_back(p * static_cast<double>(rows.size()));
+    for (const EmitterSampleRow &row : rows) {
+        const double phi = std::atan2(row.wi.y(), row.wi.x());
+        const double u = std::clamp((row.wi.z() + 1) / 2, 0.0, 1 - 1e-9);
+        const double v = std::clamp((phi < 0 ? phi + 2 * kPi : phi) / (2 * kPi), 0.0, 1 - 1e-9);
+        if (row.wi.allFinite()) {
+            const auto line = static_cast<std::size_t>(u * kZCells);
+            const auto column = static_cast<std::size_t>(v * kPhiCells);
+            counts[line * kPhiCells + column] += 1;
+        }
+    }
+    const statistics::ChiSquareResult test =
+        statistics::chiSquareTest(counts, wanted, {.minExpected = 20});
+    const auto n = static_cast<double>(rows.size());
+    const int df = test.degreesOfFreedom;
+    statistics::StageResult found;
+    if (df < 1) { // hardly any density: nothing may be sampled, and yet it is
+        found.pValue = 0;
+        found.effect = found.effectBound = found.z = 1;
+        found.deviation.assign(counts.size(), 1);
+        return found;
+    }
+    found.pValue = statistics::toleranceZonePValue(test.statistic, df, n, expected.tolerance);
+    found.effect = statistics::rmsErrorEstimate(test.statistic, df, n);
+    found.effectBound = statistics::rmsErrorUpperBound(test.statistic, df, n);
+    found.mde = statistics::rmsErrorDetectable(df, n, {.tolerance = expected.tolerance});
+    found.z = (test.statistic - df) / std::sqrt(2.0 * df);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        found.deviation.push_back((counts[i] - wanted[i]) / std::sqrt(std::max(wanted[i], 1.0)));
+    return found;
+}
+
 CheckResult judgeDistribution(CheckContext &context) {
     const TestScene scene = makeScene(false, context.seed("scene"));
     std::optional<CheckResult> failure;
@@ -206,40 +244,7 @@ CheckResult judgeDistribution(CheckContext &context) {
         const CellProbabilities expected = askProbabilities(context, scene, uniform);
         if (expected.failure)
             return stop(expected.failure);
-        std::vector<double> counts(expected.cells.size());
-        std::vector<double> wanted;
-        for (const double p : expected.cells)
-            wanted.push_back(p * static_cast<double>(count));
-        for (const EmitterSampleRow &row : answer.rows) {
-            const double phi = std::atan2(row.wi.y(), row.wi.x());
-            const double u = std::clamp((row.wi.z() + 1) / 2, 0.0, 1 - 1e-9);
-            const double v = std::clamp((phi < 0 ? phi + 2 * kPi : phi) / (2 * kPi), 0.0, 1 - 1e-9);
-            if (row.wi.allFinite()) {
-                const auto line = static_cast<std::size_t>(u * kZCells);
-                const auto column = static_cast<std::size_t>(v * kPhiCells);
-                counts[line * kPhiCells + column] += 1;
-            }
-        }
-        const statistics::ChiSquareResult test =
-            statistics::chiSquareTest(counts, wanted, {.minExpected = 20});
-        const auto n = static_cast<double>(count);
-        const int df = test.degreesOfFreedom;
-        statistics::StageResult found;
-        if (df < 1) { // hardly any density: nothing may be sampled, and yet it is
-            found.pValue = 0;
-            found.effect = found.effectBound = found.z = 1;
-            found.deviation.assign(counts.size(), 1);
-            return found;
-        }
-        found.pValue = statistics::toleranceZonePValue(test.statistic, df, n, expected.tolerance);
-        found.effect = statistics::rmsErrorEstimate(test.statistic, df, n);
-        found.effectBound = statistics::rmsErrorUpperBound(test.statistic, df, n);
-        found.mde = statistics::rmsErrorDetectable(df, n, {.tolerance = expected.tolerance});
-        found.z = (test.statistic - df) / std::sqrt(2.0 * df);
-        for (std::size_t i = 0; i < counts.size(); ++i)
-            found.deviation.push_back((counts[i] - wanted[i]) /
-                                      std::sqrt(std::max(wanted[i], 1.0)));
-        return found;
+        return compareDirections(answer.rows, expected);
     };
     const statistics::LockResult lock =
         statistics::tripleLock(stage, {.tolerance = kToleratedRms, .passLimit = 0.2});

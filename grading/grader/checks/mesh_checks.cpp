@@ -94,7 +94,7 @@ Uniformity uniformityStage(CheckContext &context, const TestMesh &mesh,
         return result;
     }
     // Cells: triangle by triangle, in each an equal-area grid of the barycentric chart.
-    const std::size_t perFace = kBins * kBins;
+    const std::size_t perFace = std::size_t{kBins} * kBins;
     std::vector<double> observed(mesh.faces.size() * perFace);
     std::vector<double> expected(observed.size());
     double inside = 0;

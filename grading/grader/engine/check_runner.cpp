@@ -94,12 +94,12 @@ bool isAtFault(Verdict verdict) {
 
 CheckRunner::CheckRunner(const Sandbox &sandbox, const EngineOptions &options,
                          std::filesystem::path referenceProbe, VariantBuilder &builder,
-                         const std::string &submissionDigest)
+                         std::string submissionDigest)
     : m_sandbox(sandbox),
       m_options(options),
       m_referenceProbe(std::move(referenceProbe)),
       m_builder(builder),
-      m_digest(submissionDigest) {}
+      m_digest(std::move(submissionDigest)) {}
 
 const Variant &CheckRunner::variant(const VariantPlan &plan, const Group &group) {
     const std::lock_guard<std::mutex> lock(m_mutex);

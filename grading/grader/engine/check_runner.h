@@ -18,7 +18,7 @@ public:
     /// \param referenceProbe  our own complete probe
     CheckRunner(const Sandbox &sandbox, const EngineOptions &options,
                 std::filesystem::path referenceProbe, VariantBuilder &builder,
-                const std::string &submissionDigest);
+                std::string submissionDigest);
 
     /// Runs `checks`, all of one group, and remembers whether the group is at fault, for the groups
     /// that stand on it.
