@@ -122,7 +122,7 @@ TestMesh sphere(const Vector3d &center, double radius, int stacks) {
             const double phi = 2 * pi * j / slices;
             const Vector3d n(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                              std::cos(theta));
-            mesh.positions.push_back(center + radius * n);
+            mesh.positions.emplace_back(center + radius * n);
             mesh.normals.push_back(n);
             mesh.uvs.emplace_back(static_cast<double>(j) / slices, static_cast<double>(i) / stacks);
         }
