@@ -190,23 +190,29 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
             return setAll(Verdict::BuildError, failure->describe());
     }
 
+    // Code that never ends costs one time limit, not one per check: the first check goes alone, and
+    // what lies downstream of such code is followed through at once.
+    const bool endlessUpstream =
+        std::any_of(group.upstream.begin(), group.upstream.end(),
+                    [&](const std::string &id) { return m_endless.count(id) != 0; });
+    std::string endless = endlessUpstream ? "code that this needs does not end." : "";
+    std::vector<Verdict> own(checks.size());
     const auto run = [&](std::size_t i) {
-        results[i] =
-            follow(*checks[i], group, runOn(*checks[i], variant(studentPlan(group), group)));
+        CheckResult first = endless.empty()
+                                ? runOn(*checks[i], variant(studentPlan(group), group))
+                                : withVerdict(*checks[i], Verdict::Timeout, "Not run: " + endless);
+        own[i] = first.verdict;
+        results[i] = follow(*checks[i], group, std::move(first));
         checkDone();
     };
-    // The first one goes alone: code that never ends costs its group one time limit, not one each.
     if (!checks.empty())
         run(0);
-    const bool endless = !checks.empty() && results[0].verdict == Verdict::Timeout;
+    if (!checks.empty() && own[0] == Verdict::Timeout && endless.empty())
+        endless = checks[0]->id + " did not end.";
     parallelFor(checks.size() - std::min<std::size_t>(checks.size(), 1), m_options.jobs,
-                [&](std::size_t i) {
-                    if (!endless)
-                        return run(i + 1);
-                    results[i + 1] = withVerdict(*checks[i + 1], Verdict::Timeout,
-                                                 "Not run: " + checks[0]->id + " did not end.");
-                    checkDone();
-                });
+                [&](std::size_t i) { run(i + 1); });
+    if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
+        m_endless.insert(group.id);
     for (const CheckResult &result : results) {
         if (isAtFault(result.verdict))
             m_atFault.insert(group.id);

@@ -42,6 +42,7 @@ private:
     std::map<std::string, Variant> m_variants; ///< by group and plan name
     std::mutex m_mutex;                        ///< of m_variants
     std::set<std::string> m_atFault;           ///< groups with a check that failed
+    std::set<std::string> m_endless; ///< ids of groups with a check that ran into a time limit
     std::atomic<double> m_sampleSeconds{0};
 };
 
