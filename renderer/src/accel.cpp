@@ -33,7 +33,7 @@ struct Accel::Backend {
     Backend(const Backend &) = delete;
     Backend &operator=(const Backend &) = delete;
 
-    void add(const Mesh &mesh, unsigned int id) {
+    void add(const Mesh &mesh, unsigned int id) const {
         const MatrixXf &positions = mesh.getVertexPositions();
         const MatrixXu &faces = mesh.getIndices();
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -138,7 +138,7 @@ bool Accel::rayIntersect(const Ray3f &ray, Intersection &its, bool shadowRay) co
     if (m_meshes.empty() || !(ray.maxt >= mint) || !isTraceable(ray.o) || !isTraceable(ray.d))
         return false;
 
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     if (shadowRay) {
         RTCRay query = toEmbree(ray, mint);
