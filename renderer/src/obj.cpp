@@ -92,12 +92,12 @@ private:
         } else if (tag == "vt") {
             const float u = readNumber(stream, "a texture coordinate");
             const float v = readNumber(stream, "a texture coordinate");
-            uvs.push_back(Point2f(u, v));
+            uvs.emplace_back(u, v);
         } else if (tag == "vn") {
             const float x = readNumber(stream, "a normal");
             const float y = readNumber(stream, "a normal");
             const float z = readNumber(stream, "a normal");
-            normals.push_back((m_toWorld * Normal3f(x, y, z)).normalized());
+            normals.emplace_back((m_toWorld * Normal3f(x, y, z)).normalized());
         } else if (tag == "f") {
             parseFace(stream);
         }

@@ -68,9 +68,9 @@ const std::map<std::string, SetProperty> kPropertyTags = {
 
 template <typename Table>
 std::string keysOf(const Table &table) {
-    std::vector<std::string> names;
-    for (const auto &row : table)
-        names.push_back(row.first);
+    std::vector<std::string> names(table.size());
+    std::transform(table.begin(), table.end(), names.begin(),
+                   [](const auto &row) { return row.first; });
     return joinNames(names);
 }
 
@@ -157,7 +157,7 @@ private:
             within(child.first, [&] {
                 NoriObject *raw = child.second.get();
                 object->addChild(raw, child.first.attribute("name").value());
-                child.second.release(); // addChild() has taken it
+                (void)child.second.release(); // addChild() has taken it
                 raw->setParent(object.get());
             });
         }
