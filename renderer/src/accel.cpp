@@ -61,16 +61,17 @@ bool isTraceable(const Eigen::Vector3f &v) {
     return (v.array().abs() <= 1e18f).all();
 }
 
-RTCRay toEmbree(const Ray3f &ray, float mint) {
+/// \param origin  the point of the ray where Embree is to count from: at `start`
+RTCRay toEmbree(const Ray3f &ray, const Point3f &origin, float start, float mint) {
     RTCRay result{};
-    result.org_x = ray.o.x();
-    result.org_y = ray.o.y();
-    result.org_z = ray.o.z();
+    result.org_x = origin.x();
+    result.org_y = origin.y();
+    result.org_z = origin.z();
     result.dir_x = ray.d.x();
     result.dir_y = ray.d.y();
     result.dir_z = ray.d.z();
-    result.tnear = mint;
-    result.tfar = ray.maxt;
+    result.tnear = mint - start;
+    result.tfar = ray.maxt - start;
     result.mask = 0xffffffffu;
     return result;
 }
@@ -96,11 +97,13 @@ void fill(const Mesh &mesh, n_UINT face, float u, float v, Intersection &its) {
                                       weights.z() * uvs.col(c))
                             : Point2f(u, v);
     its.geoFrame = Frame((p1 - p0).cross(p2 - p0).normalized());
-    its.shFrame = normals.size() > 0
-                      ? Frame((weights.x() * normals.col(a) + weights.y() * normals.col(b) +
-                               weights.z() * normals.col(c))
-                                  .normalized())
-                      : its.geoFrame;
+    its.shFrame = its.geoFrame;
+    if (normals.size() == 0)
+        return;
+    const Vector3f normal =
+        weights.x() * normals.col(a) + weights.y() * normals.col(b) + weights.z() * normals.col(c);
+    if (normal.squaredNorm() > 0) // not where opposite ones meet, or the file has `vn 0 0 0`
+        its.shFrame = Frame(normal.normalized());
 }
 
 } // namespace
@@ -135,23 +138,26 @@ bool Accel::rayIntersect(const Ray3f &ray, Intersection &its, bool shadowRay) co
     float mint = ray.mint;
     if (mint == Epsilon)
         mint = std::max(mint, mint * ray.o.array().abs().maxCoeff());
-    if (m_meshes.empty() || !(ray.maxt >= mint) || !isTraceable(ray.o) || !isTraceable(ray.d))
+    // Nori takes segments that begin behind the origin; Embree stops the program at one.
+    const float start = std::min(mint, 0.0f);
+    const Point3f origin = start < 0 ? Point3f(ray.o + start * ray.d) : ray.o;
+    if (m_meshes.empty() || !(ray.maxt >= mint) || !isTraceable(origin) || !isTraceable(ray.d))
         return false;
 
     RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     if (shadowRay) {
-        RTCRay query = toEmbree(ray, mint);
+        RTCRay query = toEmbree(ray, origin, start, mint);
         rtcOccluded1(m_backend->scene, &context, &query);
         return query.tfar < 0;
     }
     RTCRayHit query{};
-    query.ray = toEmbree(ray, mint);
+    query.ray = toEmbree(ray, origin, start, mint);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(m_backend->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return false;
-    its.t = query.ray.tfar;
+    its.t = query.ray.tfar + start;
     fill(*m_meshes[query.hit.geomID], query.hit.primID, query.hit.u, query.hit.v, its);
     return true;
 }

@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <pcg32.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
+#include <iterator>
 
 #include "fixtures.h"
 
@@ -160,6 +162,20 @@ TEST(Accel, KeepsToTheRaysSegment) {
     EXPECT_EQ(its.t, kInfinity);
 }
 
+TEST(Accel, TakesSegmentsThatBeginBehindTheOrigin) {
+    const auto accel = makeSquares(true); // at z = 1 and 0.5
+    const Vector3f up(0, 0, 2);
+    Intersection its;
+    ASSERT_TRUE(accel->rayIntersect(Ray3f(Point3f(0.1f, 0, 2), up, -1.0f, kInfinity), its));
+    EXPECT_FLOAT_EQ(its.t, -0.75f); // the nearest is the one farthest behind
+    EXPECT_TRUE(its.p.isApprox(Point3f(0.1f, 0, 0.5f), 1e-6f));
+    ASSERT_TRUE(accel->rayIntersect(Ray3f(Point3f(0.1f, 0, 2), up, -0.6f, -0.1f), its));
+    EXPECT_FLOAT_EQ(its.t, -0.5f);
+    EXPECT_FALSE(accel->rayIntersect(Ray3f(Point3f(0.1f, 0, 2), up, -0.4f, kInfinity), its));
+    EXPECT_TRUE(accel->rayIntersect(Ray3f(Point3f(0.1f, 0, 2), up, -1.0f, 0.0f), its, true));
+    EXPECT_FALSE(accel->rayIntersect(Ray3f(Point3f(0.1f, 0, 2), up, -0.4f, 0.0f), its, true));
+}
+
 TEST(Accel, GrowsTheDefaultStartWithTheCoordinates) {
     Accel accel;
     accel.addMesh(test::makeSquare(1000.0f, false).release());
@@ -196,6 +212,69 @@ TEST(Accel, SurvivesRaysThatAreNotFinite) {
         EXPECT_FALSE(accel->rayIntersect(Ray3f(Point3f(0.0f), Vector3f(value)), its));
     }
     EXPECT_FALSE(accel->rayIntersect(Ray3f(Point3f(0.0f), Vector3f(0.0f)), its));
+}
+
+TEST(Accel, SurvivesEveryMixOfExtremeNumbers) {
+    const auto accel = makeSquares(false);
+    const float values[] = {0.0f,   -0.0f, 1.0f,      -1.0f,      1e-45f,
+                            1e-38f, 1e18f, -1e18f,    1e19f,      3e38f,
+                            -3e38f, 1e-4f, kInfinity, -kInfinity, static_cast<float>(NAN)};
+    pcg32 random;
+    random.seed(1, 1);
+    const auto any = [&] {
+        return values[random.nextUInt(static_cast<uint32_t>(std::size(values)))];
+    };
+    for (int i = 0; i < 100000; ++i) {
+        const Point3f origin(any(), any(), any());
+        const Vector3f direction(any(), any(), any());
+        const float mint = any();
+        const Ray3f ray(origin, direction, mint, any());
+        Intersection its;
+        if (accel->rayIntersect(ray, its)) {
+            ASSERT_TRUE(its.p.allFinite()) << ray.toString();
+        }
+        accel->rayIntersect(ray, its, true);
+    }
+}
+
+TEST(Accel, FallsBackToTheTrianglesNormalWhereTheVerticesGiveNone) {
+    auto mesh = test::makeSquare(1.0f, false);
+    mesh->setNormals(MatrixXf::Zero(3, 4));
+    Accel accel;
+    accel.addMesh(mesh.release());
+    accel.build();
+    Intersection its;
+    ASSERT_TRUE(accel.rayIntersect(Ray3f(Point3f(0.1f, 0, 0), Vector3f(0, 0, 1)), its));
+    EXPECT_TRUE(its.shFrame.n.isApprox(Normal3f(0, 0, -1)));
+}
+
+/// Which of two equal meshes 5000 rays hit, after building on some threads.
+std::vector<bool> choicesBetweenEqualMeshes(int threads) {
+    tbb::task_arena arena(threads);
+    Accel accel;
+    for (int i = 0; i < 2; ++i) {
+        pcg32 random;
+        random.seed(1, 1);
+        accel.addMesh(makeSoup(random, 5000).release());
+    }
+    arena.execute([&] { accel.build(); });
+    pcg32 random;
+    random.seed(2, 2);
+    std::vector<bool> choices;
+    for (int i = 0; i < 5000; ++i) {
+        const Point3f origin(random.nextFloat(), random.nextFloat(), -2.0f);
+        Intersection its;
+        if (accel.rayIntersect(Ray3f(origin, Vector3f(-0.1f, -0.1f, 1)), its))
+            choices.push_back(its.mesh == accel.getMesh(0));
+    }
+    return choices;
+}
+
+TEST(Accel, ChoosesAlikeBetweenEqualTrianglesOnAnyNumberOfThreads) {
+    const std::vector<bool> one = choicesBetweenEqualMeshes(1);
+    EXPECT_GT(one.size(), 4000u);
+    for (const int threads : {1, 2, 3, 16})
+        EXPECT_EQ(choicesBetweenEqualMeshes(threads), one) << threads;
 }
 
 } // namespace
