@@ -68,17 +68,21 @@ const std::map<std::string, SetProperty> kPropertyTags = {
 
 template <typename Table>
 std::string keysOf(const Table &table) {
-    std::vector<std::string> names(table.size());
-    std::transform(table.begin(), table.end(), names.begin(),
-                   [](const auto &row) { return row.first; });
+    std::vector<std::string> names;
+    names.reserve(table.size());
+    for (const auto &row : table)
+        names.push_back(row.first);
     return joinNames(names);
 }
+
+/// Of elements within each other: far beyond any scene, far within the stack.
+constexpr int kMaxDepth = 100;
 
 class Parser {
 public:
     explicit Parser(const std::string &fileName) : m_text(fileName) {
-        const pugi::xml_parse_result result =
-            m_document.load_buffer(m_text.bytes().data(), m_text.bytes().size());
+        const pugi::xml_parse_result result = m_document.load_buffer(
+            m_text.bytes().data(), m_text.bytes().size(), pugi::parse_default, pugi::encoding_utf8);
         if (!result)
             throw NoriException("%s: %s", m_text.place(result.offset), result.description());
     }
@@ -93,7 +97,7 @@ public:
         }
         if (kObjectTags.find(root.name()) == kObjectTags.end())
             fail(root, "is no object; known: " + keysOf(kObjectTags));
-        return parseObject(root).release();
+        return parseObject(root, 0).release();
     }
 
 private:
@@ -132,19 +136,37 @@ private:
         }
     }
 
-    ObjectPointer parseObject(pugi::xml_node node) {
+    /// The elements in `node`, which may hold comments but no text.
+    std::vector<pugi::xml_node> elementsOf(pugi::xml_node node) const {
+        std::vector<pugi::xml_node> elements;
+        for (pugi::xml_node child : node.children()) {
+            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+                fail(node, "holds the text \"" + std::string(child.value()) + "\", not an element");
+            if (child.type() == pugi::node_element)
+                elements.push_back(child);
+        }
+        return elements;
+    }
+
+    void requireNothingIn(pugi::xml_node node) const {
+        const std::vector<pugi::xml_node> elements = elementsOf(node);
+        if (!elements.empty())
+            fail(elements.front(),
+                 "stands in a <" + std::string(node.name()) + ">, which holds no elements");
+    }
+
+    /// \param depth  number of elements around this one
+    ObjectPointer parseObject(pugi::xml_node node, int depth) {
+        if (depth > kMaxDepth)
+            fail(node, "lies in more than " + std::to_string(kMaxDepth) + " elements");
         const NoriObject::EClassType kind = kObjectTags.at(node.name());
         PropertyList properties;
         std::set<std::string> names;
         std::vector<std::pair<pugi::xml_node, ObjectPointer>> children;
-        for (pugi::xml_node child : node.children()) {
-            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
-                fail(node, "holds the text \"" + std::string(child.value()) + "\", not an element");
-            if (child.type() != pugi::node_element)
-                continue;
+        for (pugi::xml_node child : elementsOf(node)) {
             const std::string tag = child.name();
             if (kObjectTags.find(tag) != kObjectTags.end()) {
-                children.emplace_back(child, parseObject(child));
+                children.emplace_back(child, parseObject(child, depth + 1));
                 continue;
             }
             parseProperty(child, properties);
@@ -202,9 +224,9 @@ private:
         if (tag == "transform") {
             const std::string name = attribute(node, "name");
             Transform transform;
-            for (pugi::xml_node step : node.children()) {
-                if (step.type() == pugi::node_element)
-                    transform = within(step, [&] { return parseStep(step) * transform; });
+            for (pugi::xml_node step : elementsOf(node)) {
+                requireNothingIn(step);
+                transform = within(step, [&] { return parseStep(step) * transform; });
             }
             properties.setTransform(name, transform);
             return;
@@ -213,6 +235,7 @@ private:
         if (found == kPropertyTags.end())
             fail(node, "unknown element; known: " + keysOf(kObjectTags) + ", " +
                            keysOf(kPropertyTags) + ", transform");
+        requireNothingIn(node);
         const std::string name = attribute(node, "name");
         const std::string value = attribute(node, "value");
         within(node, [&] { found->second(properties, name, value); });

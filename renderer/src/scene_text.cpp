@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <nori/scene_text.h>
 
+#include <iconv.h>
 #include <sys/stat.h>
 
 #include <cerrno>
@@ -9,6 +10,48 @@
 #include <iterator>
 
 NORI_NAMESPACE_BEGIN
+
+namespace {
+
+bool startsWith(const std::string &text, const char *start) {
+    return text.compare(0, std::strlen(start), start) == 0;
+}
+
+/// What the mark at the file's begin or its XML declaration says; empty: nothing, so UTF-8.
+std::string encodingOf(const std::string &bytes) {
+    if (startsWith(bytes, "\xff\xfe") || startsWith(bytes, "\xfe\xff"))
+        return "UTF-16";
+    if (!startsWith(bytes, "<?xml"))
+        return "";
+    const std::string key = "encoding=";
+    const std::string declaration = bytes.substr(0, bytes.find("?>"));
+    const size_t at = declaration.find(key);
+    if (at == std::string::npos || at + key.size() >= declaration.size())
+        return "";
+    const size_t begin = at + key.size() + 1; // behind the quote
+    return declaration.substr(begin, declaration.find(declaration[begin - 1], begin) - begin);
+}
+
+/// \throws NoriException
+std::string toUtf8(std::string bytes, const std::string &encoding, const std::string &fileName) {
+    iconv_t converter = iconv_open("UTF-8", encoding.c_str());
+    if (converter == reinterpret_cast<iconv_t>(-1)) // NOLINT: how iconv says it
+        throw NoriException("%s: the encoding \"%s\" is unknown; known is UTF-8", fileName,
+                            encoding);
+    std::string result(4 * bytes.size(), '\0'); // the longest that a character of UTF-8 is
+    char *in = bytes.data();
+    char *out = result.data();
+    size_t inLeft = bytes.size();
+    size_t outLeft = result.size();
+    const bool good = iconv(converter, &in, &inLeft, &out, &outLeft) != static_cast<size_t>(-1);
+    iconv_close(converter);
+    if (!good)
+        throw NoriException("%s: is not written in %s, as it says", fileName, encoding);
+    result.resize(result.size() - outLeft);
+    return result;
+}
+
+} // namespace
 
 SceneText::SceneText(const std::string &fileName) : m_name(fileName) {
     struct stat status {};
@@ -21,6 +64,12 @@ SceneText::SceneText(const std::string &fileName) : m_name(fileName) {
     m_bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
     if (!stream)
         throw NoriException("%s: cannot be read", fileName);
+    const std::string encoding = encodingOf(m_bytes);
+    if (!encoding.empty() && toLower(encoding) != "utf-8")
+        m_bytes = toUtf8(std::move(m_bytes), encoding, fileName);
+    const char *const mark = "\xef\xbb\xbf"; // Notepad's, of UTF-8
+    if (startsWith(m_bytes, mark))
+        m_bytes.erase(0, std::strlen(mark));
 }
 
 std::string SceneText::place(std::ptrdiff_t offset) const {

@@ -17,6 +17,13 @@ std::ostream &operator<<(std::ostream &stream, const BrokenScene &scene) {
     return stream << scene.text;
 }
 
+std::string repeat(const std::string &text, int count) {
+    std::string result;
+    for (int i = 0; i < count; ++i)
+        result += text;
+    return result;
+}
+
 /// Mistakes in the file and its elements.
 std::vector<BrokenScene> brokenSyntax() {
     const auto in = test::sceneWith;
@@ -28,6 +35,39 @@ std::vector<BrokenScene> brokenSyntax() {
         {"TwoRoots", "<scene/>\n<scene/>", {"scene.xml:2", "a second element"}},
         {"NoObject", R"(<float name="a" value="1"/>)", {"scene.xml:1", "known: bsdf, camera"}},
         {"Text", in("stray text"), {R"(scene.xml:1: <scene>: holds the text ")", "stray text"}},
+        {"TextInAProperty",
+         in("<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 1 1\">5</color>"
+            "</emitter>"),
+         {R"(scene.xml:3: <color name="radiance">: holds the text "5")"}},
+        {"ElementInAProperty",
+         in("<emitter type=\"pointlight\"><color name=\"radiance\" value=\"1 1 1\">\n<scale/>"
+            "</color></emitter>"),
+         {"scene.xml:4: <scale>: stands in a <color>, which holds no elements"}},
+        {"TextInATransform",
+         in(R"(<mesh type="obj"><transform name="toWorld">x<scale value="1 1 1"/></transform>)"
+            "</mesh>"),
+         {R"(scene.xml:3: <transform name="toWorld">: holds the text "x")"}},
+        {"ElementInAStep",
+         in(R"(<mesh type="obj"><transform name="toWorld"><scale value="1 1 1"><scale/></scale>)"
+            "</transform></mesh>"),
+         {"scene.xml:3: <scale>: stands in a <scale>"}},
+        {"TooDeep", repeat("<scene>\n", 200000), {"scene.xml:"}},
+        {"TooDeepButClosed",
+         repeat("<scene>\n", 200000) + repeat("</scene>", 200000),
+         {"scene.xml:102: <scene>: lies in more than 100 elements"}},
+        {"LineBehindLatin1",
+         "<?xml version=\"1.0\" encoding='ISO-8859-1'?>\n<scene><!-- " + repeat("\xf1", 50) +
+             " -->\n<light/>\n\n\n\n\n\n\n\n\n\n\n\n\n\n\n\n\n\n\n</scene>",
+         {"scene.xml:3: <light>"}},
+        {"LineInUtf16",
+         std::string("\xff\xfe<\0s\0c\0e\0n\0e\0>\0\n\0<\0a\0/\0>\0<\0/\0s\0c\0e\0n\0e\0>\0", 42),
+         {"scene.xml:2: <a>"}},
+        {"UnknownEncoding",
+         "<?xml version=\"1.0\" encoding=\"klingon\"?>\n<scene/>",
+         {R"(scene.xml: the encoding "klingon" is unknown)"}},
+        {"WrongEncoding",
+         "<?xml version=\"1.0\" encoding=\"US-ASCII\"?>\n<scene name=\"\xf1\"/>",
+         {"scene.xml: is not written in US-ASCII, as it says"}},
         {"UnknownElement", in("<light/>"), {"scene.xml:3: <light>: unknown element; known: bsdf"}},
         {"UnknownEmitter",
          in(R"(<emitter type="aera"/>)"),
@@ -83,6 +123,9 @@ std::vector<BrokenScene> brokenObjects() {
             R"(target="1 1 1" up="0 1 0"/></transform></mesh>)"),
          {"scene.xml:3: <lookat>: origin and target are the same point"}},
         {"NoFile", in(test::meshOf("absent.obj")), {"scene.xml:3", "absent.obj: No such file"}},
+        {"EmptyFileName",
+         in(test::meshOf("")),
+         {R"(scene.xml:3: <mesh type="obj">: )", "'filename' is empty"}},
         {"NoFileName",
          in(R"(<mesh type="obj"/>)"),
          {R"(scene.xml:3: <mesh type="obj">)", "filename"}},
@@ -149,6 +192,22 @@ TEST(Parser, ReadsCommasBlanksCommentsAndForeignLineEnds) {
                                   "<color name=\"radiance\" value=\"1, 2 3\"/></emitter>\r\n"
                                   "</scene>\r\n");
     EXPECT_EQ(static_cast<const Scene &>(*root).getLights().size(), 1u);
+}
+
+TEST(Parser, ReadsNamesWithAccentsInTheFilesEncoding) {
+    const test::SceneFolder folder;
+    folder.write("ni\xc3\xb1"
+                 "a.obj",
+                 "v 1 0 0\nv 2 0 0\nv 1 1 0\nf 1 2 3\n");
+    for (const std::string encoding : {"", "ISO-8859-1", "windows-1252"}) {
+        const std::string declaration =
+            encoding.empty() ? "" : R"(<?xml version="1.0" encoding=")" + encoding + R"("?>)";
+        const std::string name = encoding.empty() ? "ni\xc3\xb1"
+                                                    "a.obj"
+                                                  : "ni\xf1"
+                                                    "a.obj";
+        EXPECT_EQ(folder.errorOf(declaration + test::sceneWith(test::meshOf(name))), "");
+    }
 }
 
 TEST(Parser, SurvivesDamagedFiles) {

@@ -5,9 +5,10 @@
 
 NORI_NAMESPACE_BEGIN
 
-/// A text file in memory that knows its lines, for error messages.
+/// A text file in memory as UTF-8 without a mark, that knows its lines, for error messages.
 class SceneText {
 public:
+    /// Reads UTF-8, or what the XML declaration or a mark of UTF-16 says.
     /// Throws NoriException if the file cannot be read.
     explicit SceneText(const std::string &fileName);
 
