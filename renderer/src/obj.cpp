@@ -79,6 +79,11 @@ private:
         return value;
     }
 
+    void requireFinite(const Eigen::Vector3f &v, const char *what) const {
+        if (!v.allFinite())
+            fail(std::string("the ") + what + " is not finite after toWorld");
+    }
+
     void parseLine(const std::string &line) {
         std::istringstream stream(line);
         std::string tag;
@@ -88,6 +93,7 @@ private:
             const float y = readNumber(stream, "a vertex");
             const float z = readNumber(stream, "a vertex");
             positions.push_back(m_toWorld * Point3f(x, y, z));
+            requireFinite(positions.back(), "vertex");
             bbox.expandBy(positions.back());
         } else if (tag == "vt") {
             const float u = readNumber(stream, "a texture coordinate");
@@ -98,6 +104,7 @@ private:
             const float y = readNumber(stream, "a normal");
             const float z = readNumber(stream, "a normal");
             normals.emplace_back((m_toWorld * Normal3f(x, y, z)).normalized());
+            requireFinite(normals.back(), "normal");
         } else if (tag == "f") {
             parseFace(stream);
         }
@@ -169,8 +176,10 @@ private:
     std::vector<int> m_cornerLines;
 
 public:
-    /// Line of the first face with corner `index`.
-    int lineOf(size_t index) const { return m_cornerLines[index]; }
+    /// `file:line` of the first face with corner `index`.
+    std::string placeOf(size_t index) const {
+        return m_text.name() + ":" + std::to_string(m_cornerLines[index]);
+    }
 };
 
 } // namespace
@@ -180,6 +189,8 @@ class WavefrontOBJ : public Mesh {
 public:
     WavefrontOBJ(const PropertyList &properties) {
         const std::string name = properties.getString("filename");
+        if (name.empty())
+            throw NoriException("Property 'filename' is empty!");
         const Transform toWorld = properties.getTransform("toWorld", Transform());
         const std::string fileName = getFileResolver()->resolve(filesystem::path(name)).str();
         const ObjReader obj(fileName, toWorld);
@@ -209,12 +220,12 @@ private:
     /// If the file has any normal (texture coordinate), every corner must name one.
     static uint32_t require(const ObjReader &obj, size_t corner, uint32_t index, const char *what) {
         if (index == kNone)
-            throw NoriException("line %d: a corner without %s, although the file has some",
-                                obj.lineOf(corner), what);
+            throw NoriException("%s: a corner without %s, although the file has some",
+                                obj.placeOf(corner), what);
         return index;
     }
 };
 
-NORI_REGISTER_CLASS(WavefrontOBJ, "obj");
+NORI_REGISTER_CLASS(WavefrontOBJ, "obj")
 
 NORI_NAMESPACE_END

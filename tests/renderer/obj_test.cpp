@@ -44,8 +44,10 @@ std::vector<BrokenMesh> brokenMeshes() {
         {"NoSuchUv",
          v + "f 1/1 2/1 3/1\n",
          {"mesh.obj:5: the texture coordinate 1 does not exist"}},
-        {"NormalMissing", v + "vn 0 0 1\nf 1//1 2//1 3\n", {"line 6", "without normal"}},
-        {"UvMissing", v + "vt 0 0\nf 1/1 2/1 3\n", {"line 6", "without texture coordinate"}},
+        {"NormalMissing", v + "vn 0 0 1\nf 1//1 2//1 3\n", {"mesh.obj:6: a corner without normal"}},
+        {"UvMissing",
+         v + "vt 0 0\nf 1/1 2/1 3\n",
+         {"mesh.obj:6: a corner without texture coordinate"}},
         {"Binary", std::string("\x7f\x45\x4c\x46\0\1\2", 7), {"mesh.obj: holds no triangle"}},
     };
 }
@@ -136,6 +138,32 @@ TEST_F(Obj, TransformsPointsAndNormalsAndCoversAllPositions) {
     // by the inverse transpose: (1/2, 1, 0), of length 1
     EXPECT_TRUE(mesh.getVertexNormals().col(0).isApprox(Vector3f(0.5f, 1, 0).normalized()));
     EXPECT_TRUE(mesh.getBoundingBox().max.isApprox(Point3f(18, 9, 14)));
+}
+
+TEST_F(Obj, ReadsAFileWithAMarkOfUtf8) {
+    EXPECT_EQ(cornerOf(load("\xef\xbb\xbf" + std::string(kVertices) + "f 1 2 3\n"), 0, 0),
+              Point3f(0, 0, 0));
+}
+
+TEST_F(Obj, RefusesWhatIsNotFiniteAfterItsTransformation) {
+    const auto errorOf = [this](const std::string &text, const std::string &transform) {
+        try {
+            load(text, transform);
+        } catch (const NoriException &error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::string big = R"(<scale value="1e30 1 1"/>)";
+    EXPECT_NE(errorOf("# \nv 1 1 1\n", big + big)
+                  .find("mesh.obj:2: the vertex is not finite after toWorld"),
+              std::string::npos);
+    // flattened: points have a place, normals have none
+    const std::string flat = R"(<scale value="1 1 0"/>)";
+    EXPECT_EQ(errorOf(std::string(kVertices) + "f 1 2 3\n", flat), "");
+    EXPECT_NE(errorOf(std::string(kVertices) + "vn 0 0 1\n", flat)
+                  .find("mesh.obj:5: the normal is not finite after toWorld"),
+              std::string::npos);
 }
 
 TEST_F(Obj, KeepsTheWindingWhenMirrored) {
