@@ -3,6 +3,7 @@
 
 #include <grader/error.h>
 #include <grader/sandbox/cgroup.h>
+#include <grader/sandbox/orphans.h>
 #include <grader/sandbox/seccomp_filter.h>
 
 #include <fmt/core.h>
@@ -26,7 +27,6 @@ namespace grader {
 
 namespace {
 
-constexpr char kBubblewrap[] = "/usr/bin/bwrap";
 constexpr uid_t kNobody = 65534;
 constexpr uid_t kFirstUser = 1'000'000'000; ///< of those that root's boxes run as
 constexpr uid_t kBoxesAtOnce = 64;
@@ -186,7 +186,7 @@ std::vector<std::string> bubblewrapArguments(const BoxSpec &spec, int statusFd, 
                                           "--gid",
                                           "65534",
                                           "--hostname",
-                                          "box",
+                                          kBoxHostName,
                                           "--cap-drop",
                                           "ALL",
                                           "--new-session",

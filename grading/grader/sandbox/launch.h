@@ -10,6 +10,8 @@ namespace grader {
 
 class Cgroup;
 
+constexpr char kBubblewrap[] = "/usr/bin/bwrap";
+
 /// A started bubblewrap.
 struct Launched {
     pid_t process = -1;

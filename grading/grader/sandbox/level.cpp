@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <grader/error.h>
 #include <grader/sandbox/cgroup.h>
+#include <grader/sandbox/launch.h>
+#include <grader/sandbox/orphans.h>
 #include <grader/sandbox/supervisor.h>
 
 #include <fmt/core.h>
@@ -45,7 +47,7 @@ Sandbox::Sandbox(SandboxLevel wanted) {
             fmt::format("level: {}{}", sandboxLevelName(m_level),
                         m_level >= SandboxLevel::S2 ? "" : "; submissions are not run"));
     };
-    if (::access("/usr/bin/bwrap", X_OK) != 0) {
+    if (::access(kBubblewrap, X_OK) != 0) {
         m_findings.emplace_back("bubblewrap: no; install the package bubblewrap");
         settle(SandboxLevel::S0);
         return;
@@ -55,6 +57,7 @@ Sandbox::Sandbox(SandboxLevel wanted) {
                                 ? "user: root; each box runs as a user of its own"
                                 : "user: ordinary; submissions run as a user namespace's nobody");
     adoptOrphans();
+    killOrphans();
     const std::string failure = tryOut(SandboxLevel::S2);
     if (!failure.empty()) {
         m_findings.push_back(namespaceAdvice(failure));

@@ -336,30 +336,6 @@ TEST_P(Box, RunsManyAtATimeWithoutLeaks) {
     EXPECT_EQ(openDescriptors(), before);
 }
 
-TEST_P(Box, DiesWithAGraderThatIsKilled) {
-    sandbox();
-    const pid_t grader = ::fork();
-    ASSERT_GE(grader, 0);
-    if (grader == 0) {
-        sandbox().run(spec("rest"));
-        ::_exit(0);
-    }
-    const auto within10s = [](const auto &holds) {
-        for (int i = 0; i < 2000 && !holds(); ++i)
-            std::this_thread::sleep_for(milliseconds(5));
-        return holds();
-    };
-    // bubblewrap twice, and the program itself
-    EXPECT_TRUE(within10s([&] { return processesMarked(m_marker) >= 3; }));
-    ::kill(grader, SIGKILL);
-    EXPECT_TRUE(within10s([&] { return processesMarked(m_marker) == 0; }));
-    EXPECT_TRUE(within10s([] { // they are ours now
-        while (::waitpid(-1, nullptr, WNOHANG) > 0) {
-        }
-        return !hasChild();
-    }));
-}
-
 TEST_P(Box, LeavesNothingWhenKilledAtAnyMoment) {
     std::mt19937 random(1);
     for (int i = 0; i < 60; ++i) {
