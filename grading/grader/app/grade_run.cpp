@@ -7,6 +7,7 @@
 #include <grader/results/results_json.h>
 #include <grader/results/safe_text.h>
 #include <grader/scoring/scoring.h>
+#include <grader/text_file.h>
 
 #include <fmt/format.h>
 
@@ -149,9 +150,9 @@ private:
         m_saved = true;
         if (!m_result.submissions.empty()) {
             const SubmissionResult &last = m_result.submissions.back();
-            writeWhole(folder / newPageName(last.name), htmlPage(last, m_result.provenance));
+            writeTextFile(folder / newPageName(last.name), htmlPage(last, m_result.provenance));
         }
-        writeResults(m_result, file);
+        writeTextFile(file, resultsJson(m_result));
     }
 
     void show(const SubmissionResult &result) {

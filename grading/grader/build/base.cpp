@@ -2,7 +2,7 @@
 #include "base.h"
 
 #include <grader/build/starter.h>
-#include <grader/build/text_file.h>
+#include <grader/text_file.h>
 #include <grader/error.h>
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cache.h"
 
-#include <grader/build/text_file.h>
+#include <grader/text_file.h>
 #include <grader/error.h>
 
 #include <fmt/core.h>

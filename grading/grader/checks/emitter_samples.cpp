@@ -59,7 +59,7 @@ EmitterAnswer askEmitterSamples(CheckContext &context, const TestScene &scene, i
     for (const Vector3d &ref : refs) {
         append(request.values, ref);
         for (int i = 0; i < 3; ++i)
-            request.values.push_back(static_cast<float>(random.bits() >> 41) * 0x1p-23F);
+            request.values.push_back(random.nextFloat());
     }
     EmitterAnswer result;
     const ProbeAnswer answer = context.ask(groupOf(scene, std::move(request), emitter));

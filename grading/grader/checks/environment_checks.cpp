@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <grader/build/base.h>
-#include <grader/build/text_file.h>
+#include <grader/text_file.h>
 #include <grader/checks/answer.h>
 #include <grader/checks/emitter_samples.h>
 #include <statistics/chi_square.h>

@@ -85,7 +85,7 @@ MeshAnswer askMeshSamples(CheckContext &context, const TestScene &scene, int ind
     request.text = TestScene::kFileName;
     request.index = static_cast<std::uint32_t>(index);
     for (int i = 0; i < 2 * count; ++i)
-        request.values.push_back(static_cast<float>(random.bits() >> 41) * 0x1p-23F);
+        request.values.push_back(random.nextFloat());
     group.requests.push_back(std::move(request));
 
     MeshAnswer result;

@@ -54,7 +54,7 @@ Picks measurePicks(CheckContext &context) {
     request.op = protocol::Op::EmitterPick;
     request.text = TestScene::kFileName;
     for (int i = 0; i < kDraws; ++i)
-        request.values.push_back(static_cast<float>(random.bits() >> 41) * 0x1p-23F);
+        request.values.push_back(random.nextFloat());
     group.requests.push_back(std::move(request));
     Picks picks;
     const ProbeAnswer answer = context.ask(group);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine.h"
 
-#include <grader/build/text_file.h>
+#include <grader/text_file.h>
 #include <grader/digest.h>
 #include <grader/engine/check_runner.h>
 #include <grader/error.h>

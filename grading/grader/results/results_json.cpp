@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "results_json.h"
 
-#include <grader/error.h>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 
 #include "safe_text.h"
 
@@ -95,26 +92,6 @@ std::string resultsJson(const RunResult &run) {
                            {"submissions", std::move(submissions)}};
     // `replace`: names and messages come from hand-ins and may not be UTF-8.
     return escapeInvisible(document.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
-}
-
-void writeWhole(const std::filesystem::path &file, const std::string &text) {
-    const std::filesystem::path temporary = file.string() + ".part";
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    std::error_code error;
-    if (stream)
-        std::filesystem::rename(temporary, file, error);
-    if (!stream || error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw GraderError(fmt::format("{}: cannot write: {}", file.string(),
-                                      error ? error.message() : "is the disk full?"));
-    }
-}
-
-void writeResults(const RunResult &run, const std::filesystem::path &file) {
-    writeWhole(file, resultsJson(run));
 }
 
 } // namespace grader

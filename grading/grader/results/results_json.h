@@ -3,7 +3,6 @@
 
 #include <grader/results/results.h>
 
-#include <filesystem>
 #include <string>
 
 namespace grader {
@@ -12,12 +11,5 @@ namespace grader {
 /// Numbers that do not apply, and points where no marks are given, are null. Everything but the
 /// objects `times` depends only on the hand-ins, the rubric, the base, the compiler and the seed.
 std::string resultsJson(const RunResult &run);
-
-/// Writes resultsJson() below a temporary name, then renames: no reader sees half a file.
-/// \throws GraderError  if it cannot be written
-void writeResults(const RunResult &run, const std::filesystem::path &file);
-
-/// As writeResults(), for any text.
-void writeWhole(const std::filesystem::path &file, const std::string &text);
 
 } // namespace grader

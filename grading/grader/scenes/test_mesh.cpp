@@ -10,16 +10,8 @@ namespace grader {
 
 using std::numbers::pi;
 
-std::uint64_t SceneRandom::bits() {
-    // SplitMix64: Steele, Lea, Flood 2014.
-    std::uint64_t z = (m_state += 0x9e3779b97f4a7c15ull);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
-}
-
 double SceneRandom::uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+    return low + (high - low) * nextDouble();
 }
 
 Vector3d SceneRandom::direction() {

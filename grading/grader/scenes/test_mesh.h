@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <statistics/random.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -14,19 +16,15 @@ namespace grader {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Uniform numbers for building scenes; a function of its seed alone, on every machine.
-class SceneRandom {
+/// Draws what scenes are made of.
+class SceneRandom : public statistics::Random {
 public:
-    explicit SceneRandom(std::uint64_t seed) : m_state(seed) {}
+    using Random::Random;
 
-    std::uint64_t bits();
     double uniform(double low = 0, double high = 1);
     Vector3d direction(); ///< uniform on the unit sphere
     Vector3d color(double low, double high);
     Eigen::Isometry3d rigid(double reach); ///< uniform rotation; translation in [-reach, reach]^3
-
-private:
-    std::uint64_t m_state;
 };
 
 /// A triangle mesh as the grader knows it, in world space and in double precision.

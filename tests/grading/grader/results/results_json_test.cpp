@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <grader/error.h>
 #include <grader/results/results_json.h>
 #include <support/sample_result.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <fstream>
 
 namespace grader {
@@ -181,21 +179,6 @@ TEST(ResultsJson, DiffersBetweenTwoRunsOnlyInItsTimes) {
     for (Json *json : {&a, &b})
         (*json)["submissions"][0].erase("times");
     EXPECT_EQ(a, b);
-}
-
-TEST(WriteResults, ReplacesTheFileAsAWholeAndSaysWhenItCannot) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / "norigrade_results_json_test";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    const std::filesystem::path file = folder / "results.json";
-    writeResults(runOf(support::sampleResult()), file);
-    writeResults({}, file);
-    std::ifstream stream(file);
-    EXPECT_TRUE(Json::parse(stream)["submissions"].empty());
-    EXPECT_FALSE(std::filesystem::exists(folder / "results.json.part"));
-    EXPECT_THROW(writeResults({}, folder / "not there" / "results.json"), GraderError);
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace
