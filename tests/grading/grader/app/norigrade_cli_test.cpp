@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <fstream>
+
+#include <exam/command.h>
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The program itself on whole hand-ins.
+class Norigrade : public testing::Test {
+protected:
+    void SetUp() override {
+        m_scratch = std::filesystem::temp_directory_path() /
+                    ("norigrade_cli_test." + std::to_string(::getpid()));
+        std::filesystem::create_directories(m_scratch);
+    }
+
+    void TearDown() override { std::filesystem::remove_all(m_scratch); }
+
+    exam::Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), NORIGRADE);
+        return exam::runCommand(arguments, m_scratch);
+    }
+
+    std::filesystem::path m_scratch;
+};
+
+const std::string kReference =
+    std::string(NORI_SOURCE_DIR) + "/tests/submissions/accepted/reference";
+
+/// results.json without what it says of times.
+std::string withoutTimes(const std::filesystem::path &folder) {
+    std::ifstream stream(folder / "results.json");
+    Json json = Json::parse(stream);
+    for (Json &submission : json["submissions"])
+        submission.erase("times");
+    return json.dump();
+}
+
+TEST_F(Norigrade, WritesTheSameResultsForTheSameSeedHoweverManyJobsRun) {
+    for (const char *jobs : {"1", "2"}) {
+        const exam::Outcome outcome = run({"grade", kReference, "--seed", "5", "--jobs", jobs,
+                                           "--out", (m_scratch / jobs).string()});
+        // The folder's name does not tell whose work it is: someone has to look.
+        EXPECT_EQ(outcome.exitCode, 3) << outcome.output << outcome.errors;
+        EXPECT_NE(outcome.output.find("100 of 100"), std::string::npos) << outcome.output;
+    }
+    EXPECT_EQ(withoutTimes(m_scratch / "1"), withoutTimes(m_scratch / "2"));
+}
+
+TEST_F(Norigrade, SaysWhatIsWrongWithItsArguments) {
+    const exam::Outcome missing = run({"grade", (m_scratch / "p2_1_2.zip").string()});
+    EXPECT_EQ(missing.exitCode, 2);
+    EXPECT_NE(missing.errors.find("p2_1_2.zip: no such file or folder"), std::string::npos)
+        << missing.errors;
+    const exam::Outcome unknown = run({"grrade"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.errors.find("grrade"), std::string::npos) << unknown.errors;
+}
+
+} // namespace
