@@ -37,6 +37,12 @@ set(NORI_PLUGIN_SOURCES
     scene.cpp
     textmap.cpp)
 
+# Plugins of our own renderer only: independent algorithms that show its images right. They are the
+# solution of a later assignment, so neither the student edition nor any submission's build has them.
+set(NORI_REFERENCE_SOURCES
+    direct_mats.cpp
+    direct_mis.cpp)
+
 # What a submission may replace; our other files use nothing of these but Nori 2's own interface.
 set(NORI_OVERLAY_SOURCES
     area.cpp

@@ -36,13 +36,15 @@ void warn(const std::string &message) {
     fmt::print(stderr, "Warning: {}\n", message);
 }
 
-std::unique_ptr<nori::Scene> loadScene(const std::string &file) {
+std::unique_ptr<nori::Scene> loadScene(const CommandLine &line) {
+    const std::string &file = line.scene;
     const std::filesystem::path path = file;
     if (nori::toLower(path.extension().string()) != ".xml")
         throw nori::NoriException("%s: a scene file (.xml) is expected", file);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     nori::getFileResolver()->prepend(filesystem::path(folder));
-    std::unique_ptr<nori::NoriObject> root(nori::loadFromXML(file));
+    std::unique_ptr<nori::NoriObject> root(nori::loadFromXML(
+        file, nori::SceneOverrides{nori::Vector2i(line.width, line.height), line.integrator}));
     if (root->getClassType() != nori::NoriObject::EScene)
         throw nori::NoriException("%s: holds a %s; a scene is expected", file,
                                   nori::NoriObject::classTypeName(root->getClassType()));
@@ -96,7 +98,7 @@ std::string stemOf(const CommandLine &line, int samplesPerPixel) {
 }
 
 int run(const CommandLine &line) {
-    const std::unique_ptr<nori::Scene> scene = loadScene(line.scene);
+    const std::unique_ptr<nori::Scene> scene = loadScene(line);
     warnAboutContents(*scene);
 
     nori::RenderOptions options;
@@ -130,7 +132,8 @@ int run(const CommandLine &line) {
                 {"version", std::string("nori ") + kNoriVersion},
                 {"renderSeconds", fmt::format("{:.3f}", seconds)},
                 {"partial", result.complete ? "no" : "yes"},
-                {"comments", "Rendered by nori, part of norigrade"}});
+                {"comments", "Rendered by nori, part of norigrade"}},
+               line.compact);
     if (!line.quiet)
         fmt::print("{}.exr, {}.png: {} spp in {:.1f} s{}\n", stem, stem, result.samplesPerPixel,
                    seconds, result.complete ? "" : " (partial)");

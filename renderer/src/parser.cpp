@@ -87,6 +87,22 @@ public:
             throw NoriException("%s: %s", m_text.place(result.offset), result.description());
     }
 
+    void apply(const SceneOverrides &overrides) {
+        pugi::xml_node scene = m_document.document_element();
+        pugi::xml_node camera = scene.child("camera");
+        if (camera && overrides.size.x() > 0) {
+            setInteger(camera, "width", overrides.size.x());
+            setInteger(camera, "height", overrides.size.y());
+        }
+        pugi::xml_node integrator = scene.child("integrator");
+        if (!overrides.integrator.empty()) {
+            scene.remove_child(integrator); // with the properties of another class
+            scene.prepend_child("integrator")
+                .append_attribute("type")
+                .set_value(overrides.integrator.c_str());
+        }
+    }
+
     NoriObject *parseRoot() {
         const pugi::xml_node root = m_document.document_element();
         if (!root)
@@ -102,6 +118,16 @@ public:
 
 private:
     typedef std::unique_ptr<NoriObject> ObjectPointer;
+
+    static void setInteger(pugi::xml_node object, const char *name, int value) {
+        pugi::xml_node property = object.find_child_by_attribute("integer", "name", name);
+        if (!property) {
+            property = object.append_child("integer");
+            property.append_attribute("name").set_value(name);
+        }
+        property.remove_attribute("value");
+        property.append_attribute("value").set_value(value);
+    }
 
     /// `cbox.xml:31: <emitter type="area">: `
     std::string placeOf(pugi::xml_node node) const {
@@ -301,7 +327,13 @@ private:
 } // namespace
 
 NoriObject *loadFromXML(const std::string &filename) {
-    return Parser(filename).parseRoot();
+    return loadFromXML(filename, SceneOverrides());
+}
+
+NoriObject *loadFromXML(const std::string &filename, const SceneOverrides &overrides) {
+    Parser parser(filename);
+    parser.apply(overrides);
+    return parser.parseRoot();
 }
 
 NORI_NAMESPACE_END

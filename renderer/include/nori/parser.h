@@ -15,4 +15,13 @@ NORI_NAMESPACE_BEGIN
 /// \throws NoriException  naming file and line
 extern NoriObject *loadFromXML(const std::string &filename);
 
+/// What stands in for parts of a scene's file, as if it said so itself.
+struct SceneOverrides {
+    Vector2i size{0, 0};    ///< of the camera's image [pixels]; 0: the file's
+    std::string integrator; ///< type; empty: the file's, with its properties
+};
+
+/// As loadFromXML() above.
+extern NoriObject *loadFromXML(const std::string &filename, const SceneOverrides &overrides);
+
 NORI_NAMESPACE_END

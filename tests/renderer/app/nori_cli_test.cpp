@@ -272,6 +272,29 @@ TEST_F(Nori, DrawsOtherSamplesWithAnotherSeedOnly) {
     EXPECT_NE(other.channels, scenes.channels);
 }
 
+TEST_F(Nori, RendersInAnotherSizeAndByAnotherIntegrator) {
+    ASSERT_EQ(run({"scenes/small.xml", "--size", "8x5", "--integrator", "direct_mis"}), 0);
+    const Exr exr = loadExr(path("scenes/small_3.exr"));
+    EXPECT_EQ(exr.channels.at("R").size(), 40u);
+    EXPECT_EQ(exr.attributes.at("integrator"), "DirectMultipleImportance");
+    EXPECT_EQ(run({"scenes/small.xml", "--integrator", "direct_mist"}), 1);
+    EXPECT_NE(errors().find("unknown integrator; known: depth"), std::string::npos) << errors();
+}
+
+TEST_F(Nori, RoundsTo16SignificantBitsIfAskedTo) {
+    ASSERT_EQ(run({"scenes/small.xml", "--moments", "--output", "exact"}), 0);
+    ASSERT_EQ(run({"scenes/small.xml", "--moments", "--compact", "--output", "compact"}), 0);
+    const Exr exact = loadExr(path("exact.exr"));
+    const Exr compact = loadExr(path("compact.exr"));
+    EXPECT_LT(fs::file_size(path("compact.exr")), fs::file_size(path("exact.exr")));
+    EXPECT_NE(compact.channels, exact.channels);
+    for (const auto &[name, plane] : exact.channels) {
+        for (std::size_t i = 0; i < plane.size(); ++i)
+            ASSERT_NEAR(compact.channels.at(name)[i], plane[i], std::abs(0x1p-16F * plane[i]))
+                << name;
+    }
+}
+
 TEST_F(Nori, SaysWhatIsWrongWithTheCommandLine) {
     const std::vector<std::vector<std::string>> mistakes{
         {},
@@ -280,6 +303,9 @@ TEST_F(Nori, SaysWhatIsWrongWithTheCommandLine) {
         {"scenes/small.xml", "--spp", "0"},
         {"scenes/small.xml", "--spp", "many"},
         {"scenes/small.xml", "-t", "0"},
+        {"scenes/small.xml", "--size", "40"},
+        {"scenes/small.xml", "--size", "40x36x2"},
+        {"scenes/small.xml", "--size", "0x36"},
         {"scenes/small.xml", "--seed", "99999999999"},
         {"scenes/small.xml", "--output"}};
     for (const auto &mistake : mistakes) {

@@ -60,6 +60,7 @@ TEST(Starter, HoldsNoSolutionButAllThatIsGiven) {
     EXPECT_EQ(starter.units.count("direct_ems.cpp"), 0u);
     EXPECT_EQ(reference.units.count("direct_ems.cpp"), 1u);
     EXPECT_EQ(starter.units.size() + 1, reference.units.size());
+    EXPECT_EQ(reference.units.count("direct_mis.cpp"), 0u) << "no submission's build has it";
     for (const auto &[name, text] : starter.units)
         EXPECT_EQ(text.find("graded:"), std::string::npos) << name;
     // What each graded file gives away when it is not stripped.
@@ -87,6 +88,7 @@ TEST(Starter, IsWrittenAsAProjectWithoutGraderOrSolution) {
     EXPECT_TRUE(std::filesystem::exists(folder / "src/warp.cpp"));
     EXPECT_TRUE(std::filesystem::exists(folder / "scenes/assignment-2/cbox/cbox_ems.xml"));
     EXPECT_FALSE(std::filesystem::exists(folder / "src/direct_ems.cpp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "src/direct_mis.cpp"));
     EXPECT_FALSE(std::filesystem::exists(folder / "compat/probe"));
     EXPECT_THROW(writeStarter(folder), GraderError) << "must not write into a folder with files";
     std::filesystem::remove_all(folder);
