@@ -9,8 +9,9 @@ set(ALLOWED
     "warptest/battery:battery,catalog,statistics"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"
+    "grading/decoder:decoder,protocol"
     "grading/grader:grader,protocol,battery,catalog,statistics")
-set(OURS "battery|catalog|grader|nori|probe|protocol|statistics")
+set(OURS "battery|catalog|decoder|grader|nori|probe|protocol|statistics")
 
 foreach(row IN LISTS ALLOWED)
     string(REGEX MATCH "^([^:]+):(.+)$" _ ${row})
