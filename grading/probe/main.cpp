@@ -56,6 +56,8 @@ probe::Values answer(const protocol::Request &request, probe::SceneStore &scenes
         return probe::answerEmitter(request, scenes.get(request.text));
     case Op::Radiance:
         return probe::answerRadiance(request, scenes.getPrepared(request.text));
+    case Op::Image:
+        return probe::answerImage(request, scenes.getPrepared(request.text));
     case Op::SceneFacts:
         return probe::answerFacts(scenes.get(request.text));
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <nori/camera.h>
 #include <nori/integrator.h>
 #include <nori/ray.h>
 #include <nori/sampler.h>
@@ -55,12 +56,17 @@ private:
     pcg32 m_random;
 };
 
-} // namespace
-
-Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
+const nori::Integrator *integratorOf(const nori::Scene &scene) {
     const nori::Integrator *integrator = scene.getIntegrator();
     if (integrator == nullptr)
         throw std::runtime_error("the scene has no integrator");
+    return integrator;
+}
+
+} // namespace
+
+Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
+    const nori::Integrator *integrator = integratorOf(scene);
     RaySampler sampler;
     Values values;
     values.reserve(request.resultSize());
@@ -73,6 +79,32 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
         sampler.startRay(request.seed, index);
         for (std::uint32_t i = 0; i < request.repeats; ++i)
             probe::append(values, integrator->Li(&scene, &sampler, ray));
+    }
+    return values;
+}
+
+Values answerImage(const protocol::Request &request, nori::Scene &scene) {
+    const nori::Integrator *integrator = integratorOf(scene);
+    const nori::Camera *camera = scene.getCamera();
+    if (camera == nullptr)
+        throw std::runtime_error("the scene has no camera");
+    const int width = camera->getOutputSize().x();
+    RaySampler sampler;
+    Values values;
+    values.reserve(request.resultSize());
+    for (const float value : request.values) {
+        const int pixel = static_cast<int>(value);
+        const int row = pixel / width;
+        const nori::Point2f corner(static_cast<float>(pixel % width), static_cast<float>(row));
+        sampler.startRay(request.seed, static_cast<std::uint64_t>(pixel));
+        for (std::uint32_t i = 0; i < request.repeats; ++i) {
+            const nori::Point2f within = sampler.next2D();
+            const nori::Point2f aperture = sampler.next2D();
+            nori::Ray3f ray;
+            const nori::Color3f weight = camera->sampleRay(
+                ray, nori::Point2f(corner.x() + within.x(), corner.y() + within.y()), aperture);
+            probe::append(values, nori::Color3f(weight * integrator->Li(&scene, &sampler, ray)));
+        }
     }
     return values;
 }

@@ -73,6 +73,8 @@ std::size_t Request::resultSize() const {
         return times(values.size(), kEmitterPickSize);
     case Op::Radiance:
         return times(times(rowsOf(*this, kRaySize), repeats), 3);
+    case Op::Image:
+        return times(times(values.size(), repeats), 3);
     case Op::SceneFacts:
         return kSceneFactsSize;
     }

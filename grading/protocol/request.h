@@ -42,6 +42,11 @@ enum class Op : std::uint32_t {
     /// text: scene file -> [5]: emitter count, mesh count, then 1/0: first emitter is delta,
     /// has an environment, integrator present. Tells whether the scene loads at all.
     SceneFacts,
+    /// text: scene file; values: pixels [n], row by row from the top left one of the scene's
+    /// camera;
+    /// repeats k; seed -> Integrator::Li [n, k, 3] through points uniform in each pixel (a box
+    /// filter). The sampler is seeded anew for each pixel from (seed, the pixel).
+    Image,
 };
 
 constexpr std::uint32_t kPlanarDimension = 2;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <grader/build/base.h>
 #include <grader/checks/radiance_case.h>
+#include <grader/scenes/scene_template.h>
 
 #include <cmath>
 #include <numbers>
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kColumns = 16;
+constexpr int kImageSize = 32; ///< as in the templates
 
 /// Generic numbers everywhere: equal lights, unit areas and distances, grey surfaces and frames
 /// along the axes hide mistakes (statistics.md §5, 18).
@@ -78,7 +81,7 @@ RadianceCase pointLights(std::uint64_t seed) {
             test.expected[k] +=
                 reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
     }
-    test.scene = room.scene;
+    test.files = room.scene.files();
     return test;
 }
 
@@ -99,10 +102,11 @@ RadianceCase areaLight(std::uint64_t seed, double scale) {
     };
     for (TestRay &ray : test.rays)
         ray.origin = (ray.origin * scale).cast<float>().cast<double>();
-    test.scene = TestScene();
-    test.scene.addMesh(grow(room.floor), room.albedo);
-    test.scene.addLight(grow(light), {0.3, 0.4, 0.2},
-                        {.radiance = radiance, .scale = {}, .texture = {}});
+    TestScene scene;
+    scene.addMesh(grow(room.floor), room.albedo);
+    scene.addLight(grow(light), {0.3, 0.4, 0.2},
+                   {.radiance = radiance, .scale = {}, .texture = {}});
+    test.files = scene.files();
     return test;
 }
 
@@ -131,44 +135,7 @@ RadianceCase manyLights(std::uint64_t seed) {
                 reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
     }
     test.lightCount = 5;
-    test.scene = room.scene;
-    return test;
-}
-
-/// A sphere with vertex normals between light and floor, and rays onto both: judged against our own
-/// estimator.
-RadianceCase shadow(std::uint64_t seed) {
-    Room room(seed);
-    RadianceCase test = onFloor(room);
-    const TestMesh ball = sphere({0.1, 0.05, 0.75}, 0.22, 10).transformed(room.pose);
-    room.scene.addMesh(ball, room.random.color(0.3, 0.8));
-    room.scene.addLight(room.lightMesh({0.2, -0.1, 1.6}, 0.7, 0.45), {0.2, 0.2, 0.2},
-                        {.radiance = room.random.color(4, 9), .scale = {}, .texture = {}});
-    const Vector3d center = room.world({0.1, 0.05, 0.75});
-    const Vector3d up = room.pose.linear() * Vector3d::UnitZ();
-    for (int i = 0; i < 4 * kColumns; ++i) {
-        // From above, onto the lit half.
-        const Vector3d offset = 0.18 * (room.random.direction() + 0.4 * up).normalized();
-        TestRay ray;
-        ray.origin =
-            (center + 0.5 * up + 0.25 * room.random.direction()).cast<float>().cast<double>();
-        ray.direction = (center + offset - ray.origin).normalized().cast<float>().cast<double>();
-        test.rays.push_back(ray);
-    }
-    test.scene = room.scene;
-    return test;
-}
-
-RadianceCase environment(std::uint64_t seed) {
-    Room room(seed);
-    RadianceCase test = onFloor(room);
-    room.scene.addMesh(sphere({0.1, 0.05, 0.95}, 0.3, 10).transformed(room.pose),
-                       room.random.color(0.3, 0.8));
-    room.scene.addFile(kSkyMapName, skyMap());
-    room.scene.addEnvironment({255, 230, 200}, kSkyMapName);
-    test.scene = room.scene;
-    test.repeats = 8192;
-    test.passBound = 0.03;
+    test.files = room.scene.files();
     return test;
 }
 
@@ -185,7 +152,7 @@ RadianceCase background(std::uint64_t seed) {
         if (direction.dot(up) > 0.1)
             test.rays.push_back({origin, direction.cast<float>().cast<double>()});
     }
-    test.scene = room.scene;
+    test.files = room.scene.files();
     test.repeats = 4;
     return test;
 }
@@ -199,7 +166,7 @@ RadianceCase visibleLight(std::uint64_t seed, bool fromBehind) {
     RadianceCase test;
     test.rays = raysOnto(light, kColumns, fromBehind ? -0.6 : 0.6, room.random);
     test.expected.assign(test.rays.size(), fromBehind ? Vector3d::Zero().eval() : radiance);
-    test.scene = room.scene;
+    test.files = room.scene.files();
     test.repeats = 16;
     return test;
 }
@@ -218,7 +185,7 @@ RadianceCase reflectingLight(std::uint64_t seed) {
     for (const TestRay &ray : test.rays)
         test.expected.emplace_back(
             radiance + reflectedFromPoint(room, hitPoint(ray, room.floor), position, intensity));
-    test.scene = room.scene;
+    test.files = room.scene.files();
     return test;
 }
 
@@ -238,9 +205,21 @@ RadianceCase farShadow(std::uint64_t seed) {
                               kPi;
         test.expected.emplace_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
     }
-    test.scene = room.scene;
+    test.files = room.scene.files();
     test.repeats = 8192;
     test.passBound = 0.03;
+    return test;
+}
+
+/// A template of scenes/grading, judged against our own estimator.
+RadianceCase image(const char *name, std::uint64_t seed, int repeats) {
+    RadianceCase test;
+    test.files =
+        SceneTemplate(projectFolder() / "scenes/grading" / (std::string(name) + ".xml")).fill(seed);
+    test.columns = kImageSize;
+    test.pixelRows = kImageSize;
+    test.repeats = repeats;
+    test.tilePassBound = 0.15;
     return test;
 }
 
@@ -267,11 +246,14 @@ std::vector<Check> directEmsChecks() {
             [](std::uint64_t seed) { return areaLight(seed, 1); }),
         row("many_lights", "Three area and two point lights together give the closed form.",
             manyLights),
-        row("shadow", "Shadows of a sphere agree with our own estimator.", shadow),
+        row("shadow", "A room with blocks and a light looks as in our own estimator.",
+            [](std::uint64_t seed) { return image("box", seed, 256); }),
+        row("scene", "A table under five lights looks as in our own estimator.",
+            [](std::uint64_t seed) { return image("table", seed, 256); }),
         row("visible_light", "A light that is seen shows its radiance.",
             [](std::uint64_t seed) { return visibleLight(seed, false); }),
         row("environment", "An environment map lights a scene as in our own estimator.",
-            environment),
+            [](std::uint64_t seed) { return image("sky", seed, 512); }),
         row("background", "Where nothing is hit, the environment is seen.", background),
         row("light_behind", "A light seen from behind is dark.",
             [](std::uint64_t seed) { return visibleLight(seed, true); }),

@@ -70,7 +70,8 @@ RadianceCase makeCase(std::uint64_t seed, LightChoice &choice) {
     test.columns = kColumns;
     test.rays = raysOnto(floor, kColumns, 0.35, random);
     test.expected.assign(test.rays.size(), Vector3d::Zero());
-    test.scene.addMesh(floor, albedo);
+    TestScene scene;
+    scene.addMesh(floor, albedo);
     test.repeats = 8192;
     test.lightCount = static_cast<int>(std::size(kColors));
     for (std::size_t i = 0; i < std::size(kColors); ++i) {
@@ -78,7 +79,7 @@ RadianceCase makeCase(std::uint64_t seed, LightChoice &choice) {
         const Vector3d position = (pose * local).cast<float>().cast<double>();
         const Vector3d intensity =
             (kColors[i] * kBrightness[i] * random.uniform(0.9, 1.1)).cast<float>().cast<double>();
-        test.scene.addPointLight(position, intensity);
+        scene.addPointLight(position, intensity);
         choice.intensities.push_back(intensity);
         for (std::size_t k = 0; k < test.rays.size(); ++k) {
             const Vector3d toLight = position - hitPoint(test.rays[k], floor);
@@ -87,6 +88,7 @@ RadianceCase makeCase(std::uint64_t seed, LightChoice &choice) {
                                 (cosTheta / std::numbers::pi / toLight.squaredNorm());
         }
     }
+    test.files = scene.files();
     return test;
 }
 

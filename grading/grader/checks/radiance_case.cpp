@@ -2,217 +2,265 @@
 #include "radiance_case.h"
 
 #include <grader/checks/answer.h>
-#include <statistics/tile_welch.h>
-#include <statistics/triple_lock.h>
+#include <grader/checks/radiance_comparison.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace grader {
 
 namespace {
 
-using statistics::MomentSummary;
-
-constexpr int kTileSize = 4;
-/// Errors that rounding, or a shadow segment shortened in another way, may cause. A statistic
-/// counts only where its effect is larger.
-constexpr double kGlobalTolerance = 1e-3;
-constexpr double kTileTolerance = 1e-2;
 /// Samples that the film would drop without a trace; more of them are a visible defect.
 constexpr double kInvalidTolerance = 1e-4;
 /// For code that is slower than ours by a large factor: a fraction of the samples will do.
 constexpr std::array<int, 3> kFewerSamples = {1, 16, 256};
-constexpr int kMoreSamples = 4;
+constexpr int kLooks = 5;
+/// The first look takes this part of RadianceCase::repeats, the last one four times as many.
+constexpr int kFirstLook = 4;
+/// Samples of our own estimator per sample of the student's, for the comparison with "more".
+constexpr int kReferenceFactor = 4;
+/// What stands out by fewer standard errors than this is not looked at again: of 1024 pixels and
+/// three channels, chance gives 3.7.
+constexpr double kSuspicion = 4.5;
+constexpr int kPixelFactor = 64;
+constexpr int kTileFactor = 4;
 
-struct Radiances {
-    std::array<std::vector<MomentSummary>, 3> channels; ///< per ray
-    double samples = 0;
-    double invalid = 0; ///< not finite or negative: left out, as the film does
+/// Samples of both sides at the same places.
+struct BothSides {
+    RadianceSamples student;
+    RadianceSamples equal; ///< of our own estimator, as many
+    RadianceSamples more;  ///< and in all
 
-    double invalidPart() const { return samples > 0 ? invalid / samples : 0; }
+    explicit BothSides(std::size_t places) : student(places), equal(places), more(places) {}
+
+    void merge(const BothSides &other) {
+        student.merge(other.student);
+        equal.merge(other.equal);
+        more.merge(other.more);
+    }
 };
 
-Radiances toMoments(const protocol::Response &response, std::size_t rays, int repeats) {
-    Radiances result;
-    result.samples = static_cast<double>(rays) * repeats;
-    for (auto &channel : result.channels)
-        channel.resize(rays);
-    std::size_t at = 0;
-    for (std::size_t ray = 0; ray < rays; ++ray) {
-        std::array<statistics::RunningMoments, 3> moments;
-        for (int i = 0; i < repeats; ++i, at += 3) {
-            const float *value = response.values.data() + at;
-            const bool valid = std::all_of(value, value + 3, [](float component) {
-                return std::isfinite(component) && component >= 0;
-            });
-            if (!valid)
-                ++result.invalid;
-            for (std::size_t c = 0; valid && c < 3; ++c)
-                moments[c].add(static_cast<double>(value[c]));
-        }
+/// One judgement: asks, looks, and remembers how it ended.
+class Judge {
+public:
+    Judge(CheckContext &context, const RadianceCase &test) : m_context(context), m_test(test) {
         for (std::size_t c = 0; c < 3; ++c) {
-            result.channels[c][ray] = moments[c].summary();
-            // A ray without a valid sample shows as black.
-            result.channels[c][ray].count = std::max(result.channels[c][ray].count, 2.0);
+            for (const Vector3d &value : test.expected) // a closed form has no noise
+                m_exact[c].push_back({1e12, value[static_cast<Eigen::Index>(c)], 0, 0});
         }
     }
-    return result;
-}
 
-/// A closed form has no noise.
-Radiances exactMoments(const std::vector<Vector3d> &expected) {
-    Radiances result;
-    for (std::size_t c = 0; c < 3; ++c) {
-        for (const Vector3d &value : expected)
-            result.channels[c].push_back({1e12, value[static_cast<Eigen::Index>(c)], 0, 0});
-    }
-    return result;
-}
-
-/// One stage's comparison of all three channels.
-struct Comparison {
-    statistics::StageResult stage;
-    double factor = 1;      ///< student / expected, over all channels
-    double factorError = 0; ///< standard error of `factor`
-};
-
-/// Rms relative deviation of the tiles, noise taken off.
-double rmsTileError(const statistics::TileWelchResult &result) {
-    double sum = 0;
-    for (const statistics::Tile &tile : result.tiles) {
-        const double scale = std::max(tile.reference, 0.05 * result.referenceMean);
-        if (scale > 0)
-            sum += (tile.test.difference * tile.test.difference -
-                    tile.test.standardError * tile.test.standardError) /
-                   (scale * scale);
-    }
-    return std::sqrt(std::max(0.0, sum / static_cast<double>(result.tiles.size())));
-}
-
-double worstTileError(const statistics::TileWelchResult &result) {
-    const statistics::Tile &tile = result.tiles[result.worstTile];
-    const double scale = std::max(tile.reference, 0.05 * result.referenceMean);
-    return scale > 0 ? std::abs(tile.test.difference) / scale : 1;
-}
-
-Comparison compare(const Radiances &student, const Radiances &expected, int columns) {
-    Comparison result;
-    statistics::StageResult &stage = result.stage;
-    stage.effectBound = 0;
-    double studentSum = 0;
-    double expectedSum = 0;
-    double varianceSum = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const int rows = static_cast<int>(student.channels[c].size()) / columns;
-        const statistics::MomentImage a{columns, rows, student.channels[c]};
-        const statistics::MomentImage b{columns, rows, expected.channels[c]};
-        const statistics::TileWelchResult found =
-            statistics::tileWelchTest(a, b, {.tileSize = kTileSize});
-
-        const double rms = rmsTileError(found);
-        const double worst = worstTileError(found);
-        const double global = std::abs(found.globalRelativeError);
-        double p = 1;
-        if (global > kGlobalTolerance)
-            p = std::min(p, 3 * found.global.pValue);
-        if (found.gateMet && rms > kTileTolerance)
-            p = std::min(p, 3 * found.sumPValue);
-        if (found.gateMet && worst > kTileTolerance)
-            p = std::min(p, 3 * found.maxPValue);
-        stage.pValue = std::min(stage.pValue, 3 * p);
-        stage.effect = std::max({stage.effect, global, rms});
-        stage.effectBound = std::max(stage.effectBound, found.globalBound);
-        stage.mde = std::max(stage.mde, found.globalMde);
-        stage.z = std::max(stage.z, std::abs(found.global.z));
-        stage.reliable = stage.reliable && found.global.gateMet;
-        for (const statistics::Tile &tile : found.tiles) {
-            stage.z = std::max(stage.z, std::abs(tile.score));
-            stage.deviation.push_back(std::clamp(tile.score, -1e6, 1e6));
+    CheckResult judge() {
+        const statistics::LockResult lock = statistics::tripleLock(
+            [&](const statistics::StageRequest &request) { return stage(request); },
+            {.tolerance = kGlobalTolerance,
+             .passLimit = m_test.passBound,
+             .sampleFactor = {1, 2, 4}});
+        if (m_early)
+            return *m_early;
+        CheckResult result = makeResult(Verdict::Inconclusive, sentence());
+        result.effect = m_last.stage.effect;
+        result.mde = m_last.stage.mde;
+        result.p = m_last.stage.pValue;
+        if (lock.decision == statistics::Decision::Pass && m_last.tileBound <= m_test.tilePassBound)
+            result.verdict = Verdict::Pass;
+        if (lock.decision == statistics::Decision::Fail) {
+            result.verdict = Verdict::Fail;
+            result.diagnosis = nameFactor(m_last.factor, m_test.lightCount);
+        } else {
+            lookAtSuspects(result);
         }
-        studentSum += found.global.difference + found.referenceMean;
-        expectedSum += found.referenceMean;
-        varianceSum += found.global.standardError * found.global.standardError;
+        if (m_early)
+            return *m_early;
+        countInvalid(result);
+        return result;
     }
-    if (expectedSum > 0) {
-        result.factor = studentSum / expectedSum;
-        result.factorError = std::sqrt(varianceSum) / expectedSum;
+
+private:
+    /// Up to five looks at samples that double; each at a fifth of the level.
+    statistics::StageResult stage(const statistics::StageRequest &request) {
+        BothSides all(m_test.places());
+        int taken = 0;
+        for (int look = 0; look < kLooks; ++look) {
+            const int wanted = std::max(4, m_test.repeats * request.sampleFactor / kFirstLook)
+                               << look;
+            const auto index = static_cast<int>(request.index);
+            if (!take(all, {}, wanted - taken, index, look))
+                return unreliable();
+            taken = wanted;
+            m_last = compare(all);
+            m_last.stage.pValue = std::min(1.0, kLooks * m_last.stage.pValue);
+            m_repeats =
+                static_cast<int>(all.student.count().all / static_cast<double>(m_test.places()));
+            const bool rejects = m_last.stage.pValue <= request.significance;
+            const bool passes = m_last.stage.effectBound <= m_test.passBound &&
+                                m_last.tileBound <= m_test.tilePassBound;
+            if (m_slow || (m_last.stage.reliable && (rejects || passes)))
+                break;
+        }
+        m_counts = all.student.count();
+        m_student = momentsOf(all.student);
+        m_expected = m_test.expected.empty() ? momentsOf(all.more) : m_exact;
+        return m_last.stage;
     }
-    return result;
-}
 
-/// Factors that a whole image is off by, and what they come from.
-std::string nameFactor(double factor, int lightCount) {
-    constexpr double kPi = std::numbers::pi;
-
-    struct Named {
-        double value;
-        const char *mistake;
-    };
-
-    const double n = lightCount;
-    const Named rows[] = {
-        {n, "The probability of choosing the light is counted twice, or its reciprocal is used."},
-        {1 / n, "The probability of choosing the light is forgotten: with one light of several "
-                "sampled, its contribution has to be divided by that probability."},
-        {1 / (n * n), "The probability of choosing the light is multiplied instead of divided by."},
-        {kPi, "A factor of pi too much: a diffuse BSDF is albedo / pi."},
-        {1 / kPi, "A factor of pi too little: check what the BSDF already divides by."},
-        {4 * kPi, "A factor of 4 pi too much: check the density of a uniform direction."},
-        {1 / (4 * kPi), "A factor of 4 pi too little: check the density of a uniform direction."},
-        {2, "Exactly twice as bright: something is added twice, or a density is twice as small."},
-        {0.5, "Exactly half as bright: check the density of the sample."},
-    };
-    for (const Named &row : rows) {
-        if (std::abs(factor / row.value - 1) < 0.01 && std::abs(row.value - 1) > 0.1)
-            return row.mistake;
+    /// Adds samples of both sides. \return  false if there are none: m_early says why
+    bool take(BothSides &sides, const std::vector<std::size_t> &which, int repeats, int stage,
+              int replicate) {
+        BothSides taken(sides.student.places());
+        const auto request = [&](int count, const char *who) {
+            return radianceRequest(m_test, count, m_context.seed(who, stage, replicate), which);
+        };
+        ProbeAnswer answer;
+        int count = 0;
+        for (; m_divisor < kFewerSamples.size(); ++m_divisor) {
+            m_slow = m_divisor > 0;
+            count = std::max(2, repeats / kFewerSamples[m_divisor]);
+            answer = m_context.ask(request(count, "student"));
+            if (!std::holds_alternative<BoxTimedOut>(answer.outcome.end))
+                break;
+        }
+        if ((m_early = unanswered(answer)))
+            return false;
+        taken.student.add(answer.responses[0].values, count);
+        if (m_test.expected.empty()) {
+            protocol::RequestGroup group = request(count, "reference");
+            group.requests.push_back(request((kReferenceFactor - 1) * count, "more").requests[0]);
+            const ProbeAnswer ours = m_context.askReference(group);
+            if (const auto failure = unanswered(ours)) {
+                m_early = makeResult(Verdict::Infra,
+                                     "our own program gave no answer: " + failure->message);
+                return false;
+            }
+            taken.equal.add(ours.responses[0].values, count);
+            taken.more.add(ours.responses[1].values, (kReferenceFactor - 1) * count);
+            taken.more.merge(taken.equal);
+        }
+        sides.merge(taken);
+        return true;
     }
-    return factor == 0 ? "Nothing arrives: everything is black." : "";
-}
 
-struct Asked {
-    ProbeAnswer answer;
-    int repeats = 0;
+    Comparison compare(const BothSides &sides) const {
+        const RadianceMoments student = momentsOf(sides.student);
+        if (!m_test.expected.empty())
+            return compareImages(student, m_exact, m_test.columns, m_test.tileSize());
+        // With more samples of ours the error is smaller; with equal ones the skewness cancels, and
+        // the test keeps its level under any law.
+        Comparison result =
+            compareImages(student, momentsOf(sides.more), m_test.columns, m_test.tileSize());
+        const Comparison equal =
+            compareImages(student, momentsOf(sides.equal), m_test.columns, m_test.tileSize());
+        result.stage.pValue = std::min(1.0, 2 * std::min(result.stage.pValue, equal.stage.pValue));
+        result.stage.reliable = result.stage.reliable || equal.stage.reliable;
+        return result;
+    }
+
+    /// Holes and edges that tiles dilute: chosen on the samples at hand, judged on fresh ones.
+    void lookAtSuspects(CheckResult &result) {
+        const Suspects suspects =
+            findSuspects(m_student, m_expected, m_test.columns, m_test.tileSize());
+        if (suspects.largest < kSuspicion || m_slow)
+            return;
+        double mean = 0;
+        for (const auto &channel : m_expected) {
+            for (const statistics::MomentSummary &place : channel)
+                mean += place.mean / (3 * static_cast<double>(m_test.places()));
+        }
+        const auto lookAt = [&](const std::vector<std::size_t> &which, int perGroup, int repeats) {
+            statistics::StageResult last;
+            const statistics::LockResult lock = statistics::tripleLock(
+                [&](const statistics::StageRequest &request) {
+                    BothSides fresh(which.size());
+                    if (!take(fresh, which, repeats, 3 + static_cast<int>(request.index), perGroup))
+                        return unreliable();
+                    const RadianceMoments expected =
+                        m_test.expected.empty() ? momentsOf(fresh.more) : pick(m_exact, which);
+                    last = compareSuspects(momentsOf(fresh.student), expected, perGroup, mean,
+                                           m_test.places());
+                    last.pValue = std::min(1.0, 2 * last.pValue); // pixels and tiles
+                    return last;
+                },
+                {.tolerance = kGlobalTolerance, .sampleFactor = {1, 1, 1}});
+            if (m_early || lock.decision != statistics::Decision::Fail)
+                return false;
+            result.verdict = Verdict::Fail;
+            result.effect = last.effect;
+            result.p = last.pValue;
+            return true;
+        };
+        if (!suspects.tiles.empty() &&
+            lookAt(suspects.tiles, m_test.tileSize() * m_test.tileSize(), m_repeats * kTileFactor))
+            result.diagnosis = "A part of the image is wrong: compare it with the scene's shadows "
+                               "and edges.";
+        else if (!m_early && lookAt(suspects.pixels, 1, m_repeats * kPixelFactor))
+            result.diagnosis = "Single pixels are wrong, again with fresh samples: holes, or lines "
+                               "where a surface shadows itself?";
+    }
+
+    void countInvalid(CheckResult &result) const {
+        const double invalid = m_counts.invalidPart();
+        if (invalid > kInvalidTolerance && result.verdict != Verdict::Fail) {
+            result.verdict = Verdict::Fail;
+            result.effect = invalid;
+            result.diagnosis = "A division by a density of 0, or the root of a negative number?";
+        }
+        result.message += m_counts.describe();
+    }
+
+    std::string sentence() const {
+        return fmt::format(
+            "{} {} of {} samples: the radiance is {:.4f} +- {:.4f} times what it must be "
+            "(off by {:.2g} % at most; {:.2g} % would be found); the tiles differ by {:.2g} % rms, "
+            "none by more than {:.2g} %.",
+            m_test.places(), m_test.rays.empty() ? "pixels" : "rays", m_repeats, m_last.factor,
+            m_last.factorError, 100 * m_last.stage.effectBound, 100 * m_last.stage.mde,
+            100 * m_last.stage.effect, 100 * m_last.tileBound);
+    }
+
+    static statistics::StageResult unreliable() {
+        statistics::StageResult result;
+        result.reliable = false;
+        return result;
+    }
+
+    CheckContext &m_context;
+    const RadianceCase &m_test;
+    RadianceMoments m_exact; ///< of RadianceCase::expected
+    std::optional<CheckResult> m_early;
+    Comparison m_last;
+    int m_repeats = 0;
+    SampleCount m_counts;
+    RadianceMoments m_student;  ///< of the last stage
+    RadianceMoments m_expected; ///< same
+    std::size_t m_divisor = 0;  ///< into kFewerSamples
+    bool m_slow = false;
 };
-
-/// Asks for all samples, or for as many as the code has time for.
-template <typename Ask>
-Asked askPatiently(const Ask &ask, const RadianceCase &test, int repeats, std::uint64_t seed) {
-    Asked asked;
-    for (const int divisor : kFewerSamples) {
-        asked.repeats = std::max(4, repeats / divisor);
-        asked.answer = ask(radianceRequest(test, asked.repeats, seed));
-        if (!std::holds_alternative<BoxTimedOut>(asked.answer.outcome.end))
-            break;
-    }
-    return asked;
-}
-
-std::string sentence(const Comparison &found, const RadianceCase &test, int repeats) {
-    return fmt::format("Along {} rays of {} samples the radiance is {:.4f} +- {:.4f} times what it "
-                       "must be; the tiles differ by {:.2g} % rms.",
-                       test.rays.size(), repeats, found.factor, found.factorError,
-                       100 * found.stage.effect);
-}
 
 } // namespace
 
-protocol::RequestGroup radianceRequest(const RadianceCase &test, int repeats, std::uint64_t seed) {
+protocol::RequestGroup radianceRequest(const RadianceCase &test, int repeats, std::uint64_t seed,
+                                       const std::vector<std::size_t> &which) {
     protocol::RequestGroup group;
-    group.files = test.scene.files();
+    group.files = test.files;
     protocol::Request request;
-    request.op = protocol::Op::Radiance;
+    request.op = test.rays.empty() ? protocol::Op::Image : protocol::Op::Radiance;
     request.text = TestScene::kFileName;
     request.repeats = static_cast<std::uint32_t>(repeats);
     request.seed = seed;
-    for (const TestRay &ray : test.rays) {
-        for (const Vector3d &v : {ray.origin, ray.direction}) {
-            for (int i = 0; i < 3; ++i)
-                request.values.push_back(static_cast<float>(v[i]));
+    const std::size_t count = which.empty() ? test.places() : which.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t place = which.empty() ? i : which[i];
+        if (test.rays.empty()) {
+            request.values.push_back(static_cast<float>(place));
+            continue;
+        }
+        for (const Vector3d &v : {test.rays[place].origin, test.rays[place].direction}) {
+            for (int c = 0; c < 3; ++c)
+                request.values.push_back(static_cast<float>(v[c]));
         }
     }
     group.requests.push_back(std::move(request));
@@ -250,77 +298,7 @@ Vector3d hitPoint(const TestRay &ray, const TestMesh &mesh, std::size_t face) {
 }
 
 CheckResult judgeRadiance(CheckContext &context, const RadianceCase &test) {
-    CheckResult early;
-    bool ended = false;
-    Comparison last;
-    int lastRepeats = test.repeats;
-    double invalidPart = 0;
-    const auto stop = [&](CheckResult result) {
-        early = std::move(result);
-        ended = true;
-        statistics::StageResult unreliable;
-        unreliable.reliable = false;
-        return unreliable;
-    };
-    const auto look = [&](const statistics::StageRequest &request, int factor) {
-        const int index = static_cast<int>(request.index);
-        const auto seed = [&](const char *who) {
-            return context.seed(who, index, factor);
-        };
-        const Asked student =
-            askPatiently([&](const auto &group) { return context.ask(group); }, test,
-                         test.repeats * request.sampleFactor * factor, seed("student"));
-        if (auto result = unanswered(student.answer))
-            return stop(std::move(*result));
-        Radiances expected = exactMoments(test.expected);
-        if (test.expected.empty()) {
-            const ProbeAnswer answer =
-                context.askReference(radianceRequest(test, student.repeats, seed("reference")));
-            if (const auto result = unanswered(answer))
-                return stop(makeResult(Verdict::Infra,
-                                       "our own program gave no answer: " + result->message));
-            expected = toMoments(answer.responses[0], test.rays.size(), student.repeats);
-        }
-        const Radiances radiances =
-            toMoments(student.answer.responses[0], test.rays.size(), student.repeats);
-        invalidPart = radiances.invalidPart();
-        last = compare(radiances, expected, test.columns);
-        lastRepeats = student.repeats;
-        return last.stage;
-    };
-    // Where the samples neither reject nor suffice for a pass, one more look with more of them.
-    const auto stage = [&](const statistics::StageRequest &request) {
-        const statistics::StageResult first = look(request, 1);
-        const bool rejects = first.pValue <= request.significance && first.reliable;
-        const bool passes = first.effectBound <= test.passBound && first.reliable;
-        return ended || rejects || passes ? first : look(request, kMoreSamples);
-    };
-    const statistics::LockResult lock = statistics::tripleLock(
-        stage,
-        {.tolerance = kGlobalTolerance, .passLimit = test.passBound, .sampleFactor = {1, 2, 4}});
-    if (ended)
-        return early;
-
-    CheckResult result = makeResult(Verdict::Inconclusive, sentence(last, test, lastRepeats));
-    result.effect = last.stage.effect;
-    result.mde = last.stage.mde;
-    result.p = last.stage.pValue;
-    if (lock.decision == statistics::Decision::Pass)
-        result.verdict = Verdict::Pass;
-    if (lock.decision == statistics::Decision::Fail) {
-        result.verdict = Verdict::Fail;
-        result.diagnosis = nameFactor(last.factor, test.lightCount);
-    }
-    if (invalidPart > kInvalidTolerance && result.verdict != Verdict::Fail) {
-        result.verdict = Verdict::Fail;
-        result.effect = invalidPart;
-        result.diagnosis = "A division by a density of 0, or the root of a negative number?";
-    }
-    if (invalidPart > 0)
-        result.message += fmt::format(" {:.2g} % of the samples are negative, infinite or not a "
-                                      "number.",
-                                      100 * invalidPart);
-    return result;
+    return Judge(context, test).judge();
 }
 
 } // namespace grader

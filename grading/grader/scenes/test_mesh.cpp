@@ -105,6 +105,58 @@ TestMesh parallelogram(const Vector3d &corner, const Vector3d &a, const Vector3d
     return mesh;
 }
 
+TestMesh patch(const Vector3d &corner, const Vector3d &a, const Vector3d &b, int pieces,
+               SceneRandom &random) {
+    std::array<std::vector<double>, 2> cuts;
+    for (std::vector<double> &positions : cuts) {
+        for (int i = 0; i <= pieces; ++i) {
+            const bool inside = i > 0 && i < pieces;
+            positions.push_back((i + (inside ? random.uniform(-0.35, 0.35) : 0)) / pieces);
+        }
+    }
+    TestMesh mesh;
+    for (const double t : cuts[1]) {
+        for (const double s : cuts[0]) {
+            mesh.positions.emplace_back(corner + s * a + t * b);
+            mesh.uvs.emplace_back(s, t);
+        }
+    }
+    for (int j = 0; j < pieces; ++j) {
+        for (int i = 0; i < pieces; ++i) {
+            const int first = j * (pieces + 1) + i;
+            const int above = first + pieces + 1;
+            mesh.faces.push_back({first, first + 1, above + 1});
+            mesh.faces.push_back({above + 1, above, first});
+        }
+    }
+    return mesh;
+}
+
+TestMesh block(const Vector3d &center, const Vector3d &size, double turn) {
+    const Eigen::AngleAxisd rotation(turn, Vector3d::UnitZ());
+    TestMesh mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-0.5, 0.5}) {
+            Vector3d a = Vector3d::Zero();
+            Vector3d b = Vector3d::Zero();
+            Vector3d out = Vector3d::Zero();
+            a[(axis + 1) % 3] = size[(axis + 1) % 3];
+            b[(axis + 2) % 3] = size[(axis + 2) % 3];
+            out[axis] = side * size[axis];
+            if (side < 0)
+                a.swap(b);
+            const TestMesh face = parallelogram(out - 0.5 * a - 0.5 * b, a, b);
+            const int first = static_cast<int>(mesh.positions.size());
+            for (const Vector3d &p : face.positions)
+                mesh.positions.emplace_back(center + rotation * p);
+            mesh.uvs.insert(mesh.uvs.end(), face.uvs.begin(), face.uvs.end());
+            for (const auto &[i, j, k] : face.faces)
+                mesh.faces.push_back({first + i, first + j, first + k});
+        }
+    }
+    return mesh;
+}
+
 TestMesh sphere(const Vector3d &center, double radius, int stacks) {
     TestMesh mesh;
     const int slices = 2 * stacks;

@@ -50,6 +50,13 @@ struct TestMesh {
 /// and texture coordinates, without vertex normals.
 TestMesh parallelogram(const Vector3d &corner, const Vector3d &a, const Vector3d &b);
 
+/// The same, cut into `pieces` x `pieces` parallelograms of unequal widths.
+TestMesh patch(const Vector3d &corner, const Vector3d &a, const Vector3d &b, int pieces,
+               SceneRandom &random);
+
+/// A box with its normals outside, turned by `turn` [radians] about the z axis through its center.
+TestMesh block(const Vector3d &center, const Vector3d &size, double turn);
+
 /// `stacks` x 2 `stacks` patches with vertex normals and texture coordinates, triangles at the
 /// poles.
 TestMesh sphere(const Vector3d &center, double radius, int stacks);

@@ -50,7 +50,7 @@ TEST(JudgeRadiance, PassesAnUnbiasedEstimator) {
     FakeContext context(estimator(test, 1));
     const CheckResult result = judgeRadiance(context, test);
     EXPECT_EQ(result.verdict, Verdict::Pass) << result.message;
-    EXPECT_EQ(context.asked, 1);
+    EXPECT_LE(context.asked, 5) << "one stage of five looks";
 }
 
 TEST(JudgeRadiance, FailsOneThatIsTwoPercentOff) {
@@ -59,7 +59,7 @@ TEST(JudgeRadiance, FailsOneThatIsTwoPercentOff) {
     const CheckResult result = judgeRadiance(context, test);
     EXPECT_EQ(result.verdict, Verdict::Fail) << result.message;
     EXPECT_NEAR(result.effect, 0.02, 0.01);
-    EXPECT_EQ(context.asked, 3) << "three stages have to agree";
+    EXPECT_GE(context.asked, 3) << "three stages have to agree";
 }
 
 TEST(JudgeRadiance, NamesAForgottenPickProbability) {
@@ -113,6 +113,60 @@ TEST(JudgeRadiance, JudgesSlowCodeOnFewerSamples) {
     const CheckResult result = judgeRadiance(context, test);
     EXPECT_NE(result.verdict, Verdict::Timeout);
     EXPECT_NE(result.verdict, Verdict::Fail) << "slow is not wrong";
+}
+
+/// 32 x 32 pixels of mean 1 with samples 0 or 4, like quarterChoice(); `hole`: one pixel is black.
+FakeContext::Answer pixels(int hole) {
+    return [=](const protocol::RequestGroup &group) {
+        ProbeAnswer answer = answerWith({});
+        answer.responses.clear();
+        for (const protocol::Request &request : group.requests) {
+            SceneRandom random(request.seed);
+            std::vector<float> values;
+            for (const float pixel : request.values) {
+                for (std::uint32_t i = 0; i < request.repeats; ++i) {
+                    const bool lit = random.uniform() < 0.25 && pixel != static_cast<float>(hole);
+                    values.insert(values.end(), 3, lit ? 4.0F : 0.0F);
+                }
+            }
+            answer.responses.push_back({protocol::State::Done, "", 0, std::move(values)});
+        }
+        return answer;
+    };
+}
+
+RadianceCase imageCase() {
+    RadianceCase test;
+    test.columns = 32;
+    test.pixelRows = 32;
+    test.repeats = 256;
+    test.tilePassBound = 0.15;
+    return test;
+}
+
+TEST(JudgeRadiance, ComparesPixelsWithOurOwn) {
+    FakeContext context(pixels(-1), pixels(-1));
+    // FakeContext gives both sides other seeds.
+    const CheckResult result = judgeRadiance(context, imageCase());
+    EXPECT_EQ(result.verdict, Verdict::Pass) << result.message;
+    EXPECT_NE(result.message.find("1024 pixels"), std::string::npos) << result.message;
+}
+
+// A black pixel of 1024 is 0.1 % of the image: z = 9 in its own 256 samples, and nothing in its
+// tile.
+TEST(JudgeRadiance, FindsOnePixelThatIsBlack) {
+    FakeContext context(pixels(77), pixels(-1));
+    const CheckResult result = judgeRadiance(context, imageCase());
+    EXPECT_EQ(result.verdict, Verdict::Fail) << result.message;
+    EXPECT_NEAR(result.effect, 1 / 1024.0, 1e-4);
+    EXPECT_NE(result.diagnosis.find("Single pixels"), std::string::npos) << result.diagnosis;
+}
+
+TEST(JudgeRadiance, TellsOfFireflies) {
+    const RadianceCase test = quarterChoice();
+    FakeContext context(estimator(test, 1, 1e7F, 1e-5));
+    const CheckResult result = judgeRadiance(context, test);
+    EXPECT_NE(result.message.find("firefly"), std::string::npos) << result.message;
 }
 
 TEST(JudgeRadiance, PassesOnWhatEndedTheProgram) {

@@ -54,6 +54,28 @@ TEST(TestMesh, SphereHasNearlyItsArea) {
     EXPECT_NEAR(sphere({1, 2, 3}, 0.5, 60).area(), pi, 0.01);
 }
 
+TEST(TestMesh, PatchCoversItsParallelogramWithUnequalTriangles) {
+    SceneRandom random(5);
+    const Vector3d a(0.9, 0.1, 0.2);
+    const Vector3d b(0.1, 0.7, -0.1);
+    const TestMesh mesh = patch({1, 2, 3}, a, b, 3, random);
+    EXPECT_EQ(mesh.faces.size(), 18u);
+    EXPECT_NEAR(mesh.area(), a.cross(b).norm(), 1e-12);
+    EXPECT_GT(std::abs(mesh.area(0) / mesh.area(8) - 1), 0.01);
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+        EXPECT_GT(mesh.geometricNormal(face).dot(a.cross(b)), 0);
+}
+
+TEST(TestMesh, BlockHasItsNormalsOutside) {
+    const Vector3d center(0.5, -1, 2);
+    const TestMesh mesh = block(center, {1, 2, 3}, 0.4);
+    EXPECT_NEAR(mesh.area(), 2 * (2 + 6 + 3), 1e-12);
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+        const Vector3d corner = mesh.positions[static_cast<std::size_t>(mesh.faces[face][0])];
+        EXPECT_GT(mesh.geometricNormal(face).dot(corner - center), 0);
+    }
+}
+
 TEST(TestMesh, UnequalStripHasVeryUnequalTriangles) {
     SceneRandom random(7);
     const TestMesh strip = unequalStrip(random);
