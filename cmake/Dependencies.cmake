@@ -19,6 +19,12 @@ pkg_check_modules(LibArchive REQUIRED IMPORTED_TARGET libarchive>=3.6) # submiss
 pkg_check_modules(Seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)    # sandbox
 find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)             # rubrics
 
+if(NORI_GUI) # windows
+    find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+    find_package(glfw3 3.3 REQUIRED)
+    pkg_check_modules(ImGui REQUIRED IMPORTED_TARGET imgui>=1.86)
+endif()
+
 if(NORI_BUILD_TESTS)
     find_package(GTest 1.12 REQUIRED)
 endif()

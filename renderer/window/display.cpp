@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <atomic>
+#include <cstdlib>
+
+#include <GLFW/glfw3.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/imgui.h>
+#include <window/frames.h>
+#include <window/ui.h>
+
+namespace window {
+
+namespace {
+
+/// ImGui settles (hovering, keyboard focus, sizes of windows) within so many frames of an event.
+constexpr int kSettlingFrames = 3;
+constexpr double kBusyInterval = 0.05;
+
+std::atomic<bool> &isOpen() {
+    static std::atomic<bool> open{false};
+    return open;
+}
+
+/// GLFW and its window, undone in the right order.
+class Display {
+public:
+    explicit Display(const Options &options, Ui &ui) {
+        if (!hasDisplay())
+            throw NoWindow("there is no display (DISPLAY is not set)");
+        if (glfwInit() == GLFW_FALSE)
+            throw NoWindow("the display cannot be opened: " + lastError());
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        m_window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr,
+                                    nullptr);
+        if (m_window == nullptr) {
+            const std::string reason = lastError();
+            glfwTerminate();
+            throw NoWindow("the display offers no OpenGL 3.3: " + reason);
+        }
+        glfwMakeContextCurrent(m_window);
+        glfwSwapInterval(1);
+        glfwSetWindowUserPointer(m_window, &ui);
+        glfwSetDropCallback(m_window, [](GLFWwindow *window, int count, const char **files) {
+            auto *const contents = static_cast<Ui *>(glfwGetWindowUserPointer(window));
+            for (int i = 0; i < count; ++i)
+                contents->onFileDropped(files[i]);
+        });
+        isOpen() = true;
+    }
+
+    ~Display() {
+        isOpen() = false;
+        glfwDestroyWindow(m_window);
+        glfwTerminate();
+    }
+
+    Display(const Display &) = delete;
+    Display &operator=(const Display &) = delete;
+
+    GLFWwindow *window() const { return m_window; }
+
+private:
+    static std::string lastError() {
+        const char *text = nullptr;
+        glfwGetError(&text);
+        return text == nullptr ? "no reason is given" : text;
+    }
+
+    GLFWwindow *m_window = nullptr;
+};
+
+/// The GLFW back-end of ImGui, which must end before ImGui's context.
+class Input {
+public:
+    explicit Input(GLFWwindow *window) {
+        ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+        ImGui_ImplGlfw_InitForOpenGL(window, true);
+    }
+
+    ~Input() { ImGui_ImplGlfw_Shutdown(); }
+
+    Input(const Input &) = delete;
+    Input &operator=(const Input &) = delete;
+};
+
+void waitForEvents(const Ui &ui, int &settling) {
+    if (ui.isBusy()) {
+        glfwWaitEventsTimeout(kBusyInterval);
+        settling = kSettlingFrames;
+    } else if (settling > 0) {
+        --settling;
+        glfwPollEvents();
+    } else {
+        glfwWaitEvents();
+        settling = kSettlingFrames;
+    }
+}
+
+} // namespace
+
+bool hasDisplay() {
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+        const char *const value = std::getenv(name);
+        if (value != nullptr && *value != '\0')
+            return true;
+    }
+    return false;
+}
+
+void wakeWindow() {
+    if (isOpen())
+        glfwPostEmptyEvent();
+}
+
+void runWindow(const Options &options, Ui &ui) {
+    const Display display(options, ui);
+    GLFWwindow *const window = display.window();
+    float contentScale = 1.0f;
+    glfwGetWindowContentScale(window, &contentScale, nullptr);
+    Frames frames(ui, options.theme,
+                  options.scale > 0 ? options.scale : static_cast<double>(contentScale));
+    const Input input(window);
+    int settling = kSettlingFrames;
+    bool open = true;
+    while (open && glfwWindowShouldClose(window) == GLFW_FALSE) {
+        int width = 0;
+        int height = 0;
+        glfwGetFramebufferSize(window, &width, &height);
+        if (width > 0 && height > 0) { // neither when it is iconified
+            ImGui_ImplGlfw_NewFrame();
+            open = frames.draw(width, height);
+            glfwSwapBuffers(window);
+        }
+        waitForEvents(ui, settling);
+    }
+}
+
+} // namespace window

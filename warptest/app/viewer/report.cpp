@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include <battery/inputs.h>
+
+#include <viewer/report.h>
+
+namespace viewer {
+
+const char *label(Status status) {
+    switch (status) {
+    case Status::Pass:
+        return "✔ pass";
+    case Status::Fail:
+        return "✖ fail";
+    case Status::Check:
+        return "▲ cannot tell";
+    case Status::NotRun:
+        break;
+    }
+    return "○ not run";
+}
+
+Maps drawMaps(const Subject &subject, const Settings &settings) {
+    const std::vector<battery::Input> inputs = battery::randomInputs(kMapPoints, settings.seed);
+    return makeMaps(*subject.truth, settings.parameter, subject.warp(inputs, settings.parameter));
+}
+
+} // namespace viewer

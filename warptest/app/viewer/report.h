@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <viewer/maps.h>
+#include <viewer/settings.h>
+#include <viewer/subject.h>
+
+namespace viewer {
+
+enum class Status { Pass, Fail, Check, NotRun };
+
+/// "✔ pass", "✖ fail", "▲ cannot tell", "○ not run": never told by the colour alone.
+const char *label(Status status);
+
+/// One line of the health list.
+struct HealthRow {
+    std::string name;
+    std::string value;
+    std::string expected;
+    Status status = Status::NotRun;
+};
+
+/// What the test panel shows of one test.
+struct TestReport {
+    Settings settings; ///< it was made with
+    Status verdict = Status::NotRun;
+    std::string headline; ///< in words, one line
+    std::vector<HealthRow> health;
+    std::vector<std::string> remarks; ///< what is wrong, and what it may mean
+    std::string power;                ///< what the test would have found, in words
+    std::string error;                ///< what the warp or density threw; empty: nothing
+    double seconds = 0.0;
+    Maps maps; ///< of independent points; without cells after an error
+};
+
+/// How a test tells how far it is, and learns that it shall stop.
+struct TestControl {
+    std::function<void(double fraction)> progress;
+    std::function<bool()> isCancelled;
+};
+
+/// What the window does with a warp, beside drawing it. Both run in a thread of their own.
+struct Actions {
+    /// Runs the whole battery. May throw: the window shows what().
+    std::function<TestReport(const Subject &, const Settings &, const TestControl &)> test;
+    /// Writes the evidence of these settings. \return  what was written, for the status line
+    std::function<std::string(const Subject &, const Settings &)> save;
+};
+
+/// Independent points for the maps of a report: the battery's own samples are not kept.
+inline constexpr std::size_t kMapPoints = std::size_t{1} << 18U;
+
+/// Maps of fresh points. \throws what the warp throws
+Maps drawMaps(const Subject &subject, const Settings &settings);
+
+} // namespace viewer

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include <imgui/imgui.h>
+#include <viewer/test_panel.h>
+#include <window/style.h>
+
+namespace viewer {
+
+namespace {
+
+const ImVec4 &colorOf(Status status) {
+    const window::Palette &colors = window::palette();
+    switch (status) {
+    case Status::Pass:
+        return colors.pass;
+    case Status::Fail:
+        return colors.fail;
+    case Status::Check:
+        return colors.check;
+    case Status::NotRun:
+        break;
+    }
+    return colors.muted;
+}
+
+void wrapped(const std::string &text) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void colored(const ImVec4 &color, const std::string &text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    wrapped(text);
+    ImGui::PopStyleColor();
+}
+
+void drawHealth(const std::vector<HealthRow> &rows) {
+    if (rows.empty() || !ImGui::BeginTable("health", 4,
+                                           ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH |
+                                               ImGuiTableFlags_SizingStretchProp)) {
+        return;
+    }
+    for (const char *title : {"Health", "found", "expected", ""}) {
+        ImGui::TableSetupColumn(title);
+    }
+    ImGui::TableHeadersRow();
+    for (const HealthRow &row : rows) {
+        ImGui::TableNextRow();
+        for (const std::string *cell : {&row.name, &row.value, &row.expected}) {
+            ImGui::TableNextColumn();
+            wrapped(*cell);
+        }
+        ImGui::TableNextColumn();
+        colored(colorOf(row.status), label(row.status));
+    }
+    ImGui::EndTable();
+}
+
+void drawError(const char *what, const std::string &message) {
+    if (!message.empty()) {
+        colored(window::palette().fail, fmt::format("✖ {}:", what));
+        wrapped(message);
+        ImGui::Spacing();
+    }
+}
+
+} // namespace
+
+void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool stale) {
+    if (stale) {
+        colored(window::palette().check,
+                "▲ of other settings than those on the left; run again (R)");
+    }
+    colored(colorOf(report->verdict),
+            fmt::format("{}: {}", label(report->verdict), report->headline));
+    drawError("it threw", report->error);
+    for (const std::string &remark : report->remarks) {
+        ImGui::Bullet();
+        wrapped(remark);
+    }
+    if (!report->maps.observed.empty()) {
+        const float room = ImGui::GetContentRegionAvail().x - 5.5F * ImGui::GetFontSize();
+        m_maps.draw(std::shared_ptr<const Maps>(report, &report->maps),
+                    std::clamp(room / 2.0F, 60.0F, 14.0F * ImGui::GetFontSize()));
+    }
+    drawHealth(report->health);
+    if (!report->power.empty()) {
+        ImGui::Spacing();
+        wrapped(report->power);
+    }
+}
+
+void TestPanel::draw(ViewModel &model) {
+    const Cloud &cloud = model.cloud();
+    drawError("the warp threw", cloud.warpError);
+    drawError("the density threw", cloud.densityError);
+    Runner &runner = model.runner();
+    if (runner.isBusy()) {
+        ImGui::ProgressBar(static_cast<float>(runner.progress()), ImVec2(-1.0F, 0.0F));
+    }
+    const std::shared_ptr<const TestReport> report = model.report();
+    if (report == nullptr) {
+        colored(window::palette().muted,
+                fmt::format("{}: press R to test this warp, A to test all", label(Status::NotRun)));
+    } else {
+        drawReport(report, model.isStale(*report));
+    }
+    bool others = false;
+    for (std::size_t i = 0; i < model.subjects().size(); ++i) {
+        others = others || (i != model.settings().warp && runner.report(i) != nullptr);
+    }
+    if (!others) {
+        return;
+    }
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::TextUnformatted("All warps");
+    for (std::size_t i = 0; i < model.subjects().size(); ++i) {
+        if (const auto other = runner.report(i)) {
+            colored(colorOf(other->verdict),
+                    fmt::format("{}  {}", label(other->verdict), model.subjects()[i].name));
+        }
+    }
+}
+
+} // namespace viewer
