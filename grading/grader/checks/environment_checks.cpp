@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <grader/build/base.h>
-#include <grader/text_file.h>
 #include <grader/checks/answer.h>
 #include <grader/checks/emitter_samples.h>
+#include <grader/text_file.h>
 #include <statistics/chi_square.h>
 #include <statistics/triple_lock.h>
 

@@ -13,15 +13,15 @@ namespace grader {
 namespace {
 
 constexpr int kColumns = 8;
-constexpr int kRepeats = 2048;
+constexpr int kRepeats = 4096;
 constexpr double kChromaticityTolerance = 0.02;
 constexpr double kUniformTolerance =
-    0.03; ///< relative; 131072 samples of 5 lights give 0.6 % noise
+    0.03; ///< relative; 262144 samples of 7 lights give 0.5 % noise
 
 /// Colours far apart in chromaticity, brightnesses far apart in size.
-const Vector3d kColors[] = {
-    {1.0, 0.2, 0.1}, {0.15, 1.0, 0.2}, {0.1, 0.25, 1.0}, {1.0, 0.9, 0.15}, {0.9, 0.1, 1.0}};
-constexpr double kBrightness[] = {1.0, 6.0, 2.5, 0.7, 4.0};
+const Vector3d kColors[] = {{1.0, 0.2, 0.1}, {0.15, 1.0, 0.2}, {0.1, 0.25, 1.0}, {1.0, 0.9, 0.15},
+                            {0.9, 0.1, 1.0}, {0.1, 1.0, 0.9},  {0.9, 0.8, 1.0}};
+constexpr double kBrightness[] = {1.0, 6.0, 2.5, 0.7, 4.0, 0.9, 0.5};
 
 struct Weight {
     const char *name;
@@ -60,36 +60,41 @@ const Weight kWeights[] = {
      }},
 };
 
-RadianceCase makeCase(std::uint64_t seed, LightChoice &choice) {
+/// Lights in a row above a floor. \param equal  all alike
+LightChoice makeChoice(std::uint64_t seed, bool equal) {
+    LightChoice choice;
     SceneRandom random(seed);
     const Eigen::Isometry3d pose = random.rigid(1.5);
     const TestMesh floor = parallelogram({-1, -0.8, 0}, {2, 0, 0}, {0, 1.7, 0}).transformed(pose);
-    const Vector3d albedo = random.color(0.4, 0.7);
-    choice.albedo = albedo;
-    RadianceCase test;
+    choice.albedo = random.color(0.4, 0.7);
+    const Vector3d same = random.color(1, 3).cast<float>().cast<double>();
+    RadianceCase &test = choice.test;
     test.columns = kColumns;
     test.rays = raysOnto(floor, kColumns, 0.35, random);
     test.expected.assign(test.rays.size(), Vector3d::Zero());
-    TestScene scene;
-    scene.addMesh(floor, albedo);
     test.repeats = 8192;
     test.lightCount = static_cast<int>(std::size(kColors));
+    choice.contributions.resize(test.rays.size());
+    TestScene scene;
+    scene.addMesh(floor, choice.albedo);
     for (std::size_t i = 0; i < std::size(kColors); ++i) {
-        const Vector3d local(-1.0 + 0.5 * static_cast<double>(i), random.uniform(-0.7, 0.7), 1.3);
+        const Vector3d local(-1.2 + 0.4 * static_cast<double>(i), random.uniform(-0.7, 0.7), 1.3);
         const Vector3d position = (pose * local).cast<float>().cast<double>();
-        const Vector3d intensity =
+        const Vector3d own =
             (kColors[i] * kBrightness[i] * random.uniform(0.9, 1.1)).cast<float>().cast<double>();
-        scene.addPointLight(position, intensity);
-        choice.intensities.push_back(intensity);
+        choice.intensities.push_back(equal ? same : own);
+        scene.addPointLight(position, choice.intensities.back());
         for (std::size_t k = 0; k < test.rays.size(); ++k) {
             const Vector3d toLight = position - hitPoint(test.rays[k], floor);
             const double cosTheta = floor.geometricNormal(0).dot(toLight.normalized());
-            test.expected[k] += albedo.cwiseProduct(intensity) *
-                                (cosTheta / std::numbers::pi / toLight.squaredNorm());
+            choice.contributions[k].emplace_back(
+                choice.albedo.cwiseProduct(choice.intensities.back()) *
+                (cosTheta / std::numbers::pi / toLight.squaredNorm()));
+            test.expected[k] += choice.contributions[k].back();
         }
     }
     test.files = scene.files();
-    return test;
+    return choice;
 }
 
 } // namespace
@@ -101,8 +106,7 @@ bool LightChoice::isUniform() const {
 }
 
 LightChoice measureChoice(CheckContext &context) {
-    LightChoice choice;
-    choice.test = makeCase(context.seed("scene"), choice);
+    LightChoice choice = makeChoice(context.seed("scene"), false);
     const ProbeAnswer answer =
         context.ask(radianceRequest(choice.test, kRepeats, context.seed("choice")));
     choice.failure = unanswered(answer);
@@ -133,6 +137,20 @@ LightChoice measureChoice(CheckContext &context) {
     return choice;
 }
 
+LightChoice equalLights(std::uint64_t seed) {
+    return makeChoice(seed, true);
+}
+
+double exactVariance(const LightChoice &choice, const std::vector<double> &probabilities) {
+    double variance = 0;
+    for (std::size_t k = 0; k < choice.contributions.size(); ++k) {
+        for (std::size_t i = 0; i < probabilities.size(); ++i)
+            variance += choice.contributions[k][i].squaredNorm() / probabilities[i];
+        variance -= choice.test.expected[k].squaredNorm();
+    }
+    return variance;
+}
+
 ChoiceLaw nearestLaw(const LightChoice &choice) {
     ChoiceLaw best;
     best.error = std::numeric_limits<double>::infinity();
@@ -141,12 +159,14 @@ ChoiceLaw nearestLaw(const LightChoice &choice) {
         for (const Vector3d &intensity : choice.intensities)
             sum += weight.of(intensity);
         double error = 0;
+        std::vector<double> probabilities;
         for (std::size_t i = 0; i < choice.intensities.size(); ++i) {
             const double wanted = weight.of(choice.intensities[i]) / sum;
+            probabilities.push_back(wanted);
             error = std::max(error, std::abs(choice.frequencies[i] / wanted - 1));
         }
         if (error < best.error)
-            best = {weight.name, error, false};
+            best = {weight.name, error, false, std::move(probabilities)};
     }
     // Correlation of frequency and luminance.
     double covariance = 0;

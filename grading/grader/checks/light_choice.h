@@ -16,6 +16,8 @@ struct LightChoice {
     RadianceCase test;        ///< the scene, its rays and its closed form
     Vector3d albedo{1, 1, 1}; ///< of what the lights shine on
     std::vector<Vector3d> intensities;
+    /// Of each light to each ray, if it is chosen with certainty; shape [rays][lights].
+    std::vector<std::vector<Vector3d>> contributions;
     std::vector<double> frequencies; ///< per light, of the recognised samples
     double recognised = 0;           ///< part of the samples that come from one light
     std::optional<CheckResult> failure;
@@ -25,13 +27,20 @@ struct LightChoice {
 
 LightChoice measureChoice(CheckContext &context);
 
+/// Seven lights of one intensity, where a choice by radiance is a uniform one: nothing is measured.
+LightChoice equalLights(std::uint64_t seed);
+
 /// The weight that the frequencies follow best.
 struct ChoiceLaw {
-    std::string name;      ///< "luminance", ...
-    double error = 0;      ///< largest relative difference of a frequency
-    bool reversed = false; ///< brighter lights are chosen less often
+    std::string name;                  ///< "luminance", ...
+    double error = 0;                  ///< largest relative difference of a frequency
+    bool reversed = false;             ///< brighter lights are chosen less often
+    std::vector<double> probabilities; ///< per light
 };
 
 ChoiceLaw nearestLaw(const LightChoice &choice);
+
+/// Variance of one sample of one light, summed over rays and channels: sum c_i^2 / p_i - mean^2.
+double exactVariance(const LightChoice &choice, const std::vector<double> &probabilities);
 
 } // namespace grader
