@@ -14,6 +14,8 @@ std::vector<Check> areaChecks();
 std::vector<Check> environmentChecks();
 std::vector<Check> sceneChecks();
 std::vector<Check> directEmsChecks();
+std::vector<Check> relationChecks();
+std::vector<Check> noiseChecks();
 std::vector<Check> importanceChecks();
 
 /// A small latitude-longitude map of the sky as an EXR file; a name for TestScene::addFile().

@@ -9,7 +9,7 @@ const std::vector<Check> &checkTable() {
     static const std::vector<Check> table = [] {
         std::vector<Check> checks;
         for (auto *group : {warpChecks, meshChecks, areaChecks, environmentChecks, sceneChecks,
-                            directEmsChecks, importanceChecks}) {
+                            directEmsChecks, relationChecks, noiseChecks, importanceChecks}) {
             for (Check &check : group())
                 checks.push_back(std::move(check));
         }

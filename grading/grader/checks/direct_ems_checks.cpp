@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <grader/build/base.h>
-#include <grader/checks/radiance_case.h>
-#include <grader/scenes/scene_template.h>
+#include <grader/checks/image_scene.h>
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +12,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kColumns = 16;
-constexpr int kImageSize = 32; ///< as in the templates
 
 /// Generic numbers everywhere: equal lights, unit areas and distances, grey surfaces and frames
 /// along the axes hide mistakes (statistics.md §5, 18).
@@ -211,16 +208,8 @@ RadianceCase farShadow(std::uint64_t seed) {
     return test;
 }
 
-/// A template of scenes/grading, judged against our own estimator.
 RadianceCase image(const char *name, std::uint64_t seed, int repeats) {
-    RadianceCase test;
-    test.files =
-        SceneTemplate(projectFolder() / "scenes/grading" / (std::string(name) + ".xml")).fill(seed);
-    test.columns = kImageSize;
-    test.pixelRows = kImageSize;
-    test.repeats = repeats;
-    test.tilePassBound = 0.15;
-    return test;
+    return imageCase(imageTemplate(name).fill(seed), repeats);
 }
 
 Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t)) {

@@ -22,12 +22,13 @@ constexpr int kLooks = 5;
 /// The first look takes this part of RadianceCase::repeats, the last one four times as many.
 constexpr int kFirstLook = 4;
 /// Samples of our own estimator per sample of the student's, for the comparison with "more".
-constexpr int kReferenceFactor = 4;
+constexpr int kReferenceFactor = 3;
 /// What stands out by fewer standard errors than this is not looked at again: of 1024 pixels and
 /// three channels, chance gives 3.7.
 constexpr double kSuspicion = 4.5;
 constexpr int kPixelFactor = 64;
 constexpr int kTileFactor = 4;
+constexpr int kMostRepeats = 512; ///< times these factors
 
 /// Samples of both sides at the same places.
 struct BothSides {
@@ -89,7 +90,7 @@ private:
             const int wanted = std::max(4, m_test.repeats * request.sampleFactor / kFirstLook)
                                << look;
             const auto index = static_cast<int>(request.index);
-            if (!take(all, {}, wanted - taken, index, look))
+            if (!take(all, {}, wanted - taken, kReferenceFactor, index, look))
                 return unreliable();
             taken = wanted;
             m_last = compare(all);
@@ -108,9 +109,10 @@ private:
         return m_last.stage;
     }
 
-    /// Adds samples of both sides. \return  false if there are none: m_early says why
-    bool take(BothSides &sides, const std::vector<std::size_t> &which, int repeats, int stage,
-              int replicate) {
+    /// Adds samples of both sides, `ours` of our own for each.
+    /// \return  false if there are none: m_early says why
+    bool take(BothSides &sides, const std::vector<std::size_t> &which, int repeats, int ours,
+              int stage, int replicate) {
         BothSides taken(sides.student.places());
         const auto request = [&](int count, const char *who) {
             return radianceRequest(m_test, count, m_context.seed(who, stage, replicate), which);
@@ -129,16 +131,19 @@ private:
         taken.student.add(answer.responses[0].values, count);
         if (m_test.expected.empty()) {
             protocol::RequestGroup group = request(count, "reference");
-            group.requests.push_back(request((kReferenceFactor - 1) * count, "more").requests[0]);
-            const ProbeAnswer ours = m_context.askReference(group);
-            if (const auto failure = unanswered(ours)) {
+            const int others = (ours - 1) * count;
+            if (others > 0)
+                group.requests.push_back(request(others, "more").requests[0]);
+            const ProbeAnswer answered = m_context.askReference(group);
+            if (const auto failure = unanswered(answered)) {
                 m_early = makeResult(Verdict::Infra,
                                      "our own program gave no answer: " + failure->message);
                 return false;
             }
-            taken.equal.add(ours.responses[0].values, count);
-            taken.more.add(ours.responses[1].values, (kReferenceFactor - 1) * count);
+            taken.equal.add(answered.responses[0].values, count);
             taken.more.merge(taken.equal);
+            if (others > 0)
+                taken.more.add(answered.responses[1].values, others);
         }
         sides.merge(taken);
         return true;
@@ -165,17 +170,19 @@ private:
             findSuspects(m_student, m_expected, m_test.columns, m_test.tileSize());
         if (suspects.largest < kSuspicion || m_slow)
             return;
+        const int repeats = std::min(m_repeats, kMostRepeats);
         double mean = 0;
         for (const auto &channel : m_expected) {
             for (const statistics::MomentSummary &place : channel)
                 mean += place.mean / (3 * static_cast<double>(m_test.places()));
         }
-        const auto lookAt = [&](const std::vector<std::size_t> &which, int perGroup, int repeats) {
+        const auto lookAt = [&](const std::vector<std::size_t> &which, int perGroup, int samples) {
             statistics::StageResult last;
             const statistics::LockResult lock = statistics::tripleLock(
                 [&](const statistics::StageRequest &request) {
                     BothSides fresh(which.size());
-                    if (!take(fresh, which, repeats, 3 + static_cast<int>(request.index), perGroup))
+                    if (!take(fresh, which, samples, 1, 3 + static_cast<int>(request.index),
+                              perGroup))
                         return unreliable();
                     const RadianceMoments expected =
                         m_test.expected.empty() ? momentsOf(fresh.more) : pick(m_exact, which);
@@ -193,10 +200,10 @@ private:
             return true;
         };
         if (!suspects.tiles.empty() &&
-            lookAt(suspects.tiles, m_test.tileSize() * m_test.tileSize(), m_repeats * kTileFactor))
+            lookAt(suspects.tiles, m_test.tileSize() * m_test.tileSize(), repeats * kTileFactor))
             result.diagnosis = "A part of the image is wrong: compare it with the scene's shadows "
                                "and edges.";
-        else if (!m_early && lookAt(suspects.pixels, 1, m_repeats * kPixelFactor))
+        else if (!m_early && lookAt(suspects.pixels, 1, repeats * kPixelFactor))
             result.diagnosis = "Single pixels are wrong, again with fresh samples: holes, or lines "
                                "where a surface shadows itself?";
     }

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// Relations between images of one program: what has to hold whatever the scene looks like, and
+// needs no reference.
+#include <grader/checks/answer.h>
+#include <grader/checks/image_scene.h>
+#include <grader/checks/radiance_comparison.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check_groups.h"
+
+namespace grader {
+
+namespace {
+
+constexpr int kRepeats = 192;
+constexpr double kPassBound = 0.03;
+constexpr double kFactor = 3.7;
+/// Part of the samples that may differ when a scene is lit more strongly: where rounding of a
+/// probability makes another choice.
+constexpr double kOtherChoices = 1e-3;
+
+/// Two images that must have the same mean; several on a side are summed up.
+struct Relation {
+    const char *name;
+    const char *what;
+    const char *diagnosis;
+    std::vector<SceneVariation> left;
+    std::vector<SceneVariation> right;
+};
+
+std::vector<Relation> relations() {
+    const auto dark = [](std::vector<std::size_t> lights) {
+        SceneVariation variation;
+        variation.darkLights = std::move(lights);
+        return variation;
+    };
+    SceneVariation moved;
+    moved.pose = 1;
+    SceneVariation cut;
+    cut.cuts = 2;
+    return {
+        {"moved",
+         "Moving and turning the whole scene leaves its image as it is.",
+         "Something depends on where the scene stands: a direction in another frame, a distance "
+         "from the origin?",
+         {{}},
+         {moved}},
+        {"cut",
+         "Cutting lights and surfaces into more triangles leaves the image as it is.",
+         "Triangles have to be chosen by their area, and the density is one over the whole area.",
+         {{}},
+         {cut}},
+        {"added",
+         "Two images with some of the lights each add up to the one with all lights.",
+         "Is every light chosen, and its contribution divided by the probability of choosing it?",
+         {dark({0, 1}), dark({2, 3, 4})},
+         {{}}},
+    };
+}
+
+/// Moments of the sum of images with the same number of samples.
+RadianceMoments sum(const std::vector<RadianceMoments> &images) {
+    RadianceMoments result = images[0];
+    for (std::size_t k = 1; k < images.size(); ++k) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t i = 0; i < result[c].size(); ++i) {
+                result[c][i].mean += images[k][c][i].mean;
+                result[c][i].variance += images[k][c][i].variance;
+                result[c][i].thirdCentral += images[k][c][i].thirdCentral;
+            }
+        }
+    }
+    return result;
+}
+
+std::string folderOf(std::size_t image) {
+    return fmt::format("image{}", image);
+}
+
+CheckResult judgeRelation(CheckContext &context, const Relation &relation) {
+    const SceneTemplate scene = imageTemplate("table");
+    std::vector<SceneVariation> variations = relation.left;
+    variations.insert(variations.end(), relation.right.begin(), relation.right.end());
+    protocol::RequestGroup group;
+    for (std::size_t i = 0; i < variations.size(); ++i) {
+        for (protocol::File &file : scene.fill(context.seed("scene"), variations[i], folderOf(i)))
+            group.files.push_back(std::move(file));
+    }
+    std::optional<CheckResult> early;
+    Comparison found;
+    int repeats = 0;
+    const auto stage = [&](const statistics::StageRequest &request) {
+        repeats = kRepeats * request.sampleFactor;
+        group.requests.clear();
+        for (std::size_t i = 0; i < variations.size(); ++i)
+            group.requests.push_back(imageRequest(
+                folderOf(i), repeats,
+                context.seed("samples", static_cast<int>(request.index), static_cast<int>(i))));
+        const ProbeAnswer answer = context.ask(group);
+        if ((early = unanswered(answer))) {
+            found.stage.reliable = false;
+            return found.stage;
+        }
+        std::vector<RadianceMoments> sides[2];
+        for (std::size_t i = 0; i < variations.size(); ++i) {
+            RadianceSamples samples(std::size_t{kImageSize} * kImageSize);
+            samples.add(answer.responses[i].values, repeats);
+            sides[i < relation.left.size() ? 0 : 1].push_back(momentsOf(samples));
+        }
+        found = compareImages(sum(sides[0]), sum(sides[1]), kImageSize, 8);
+        return found.stage;
+    };
+    const statistics::LockResult lock = statistics::tripleLock(
+        stage, {.tolerance = kGlobalTolerance, .passLimit = kPassBound, .sampleFactor = {1, 2, 4}});
+    if (early)
+        return *early;
+    CheckResult result = makeResult(
+        Verdict::Inconclusive,
+        fmt::format("{} pixels of {} samples: the two sides' ratio is {:.4f} +- {:.4f} (off by "
+                    "{:.2g} % at most; {:.2g} % would be found); the tiles differ by {:.2g} % rms.",
+                    kImageSize * kImageSize, repeats, found.factor, found.factorError,
+                    100 * found.stage.effectBound, 100 * found.stage.mde,
+                    100 * found.stage.effect));
+    result.effect = found.stage.effect;
+    result.mde = found.stage.mde;
+    result.p = found.stage.pValue;
+    if (lock.decision == statistics::Decision::Pass)
+        result.verdict = Verdict::Pass;
+    if (lock.decision == statistics::Decision::Fail) {
+        result.verdict = Verdict::Fail;
+        result.diagnosis = relation.diagnosis;
+    }
+    return result;
+}
+
+/// Part of the samples that are not `factor` times the others.
+double differingPart(const std::vector<float> &a, const std::vector<float> &b, double factor) {
+    double differing = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double wanted = factor * static_cast<double>(a[i]);
+        if (!(std::abs(static_cast<double>(b[i]) - wanted) <= 1e-3 * std::abs(wanted)))
+            ++differing;
+    }
+    return differing / static_cast<double>(a.size());
+}
+
+/// With the same random numbers, k times as strong lights give k times every single sample.
+CheckResult judgeScaled(CheckContext &context) {
+    const SceneTemplate scene = imageTemplate("table");
+    const std::uint64_t sceneSeed = context.seed("scene");
+    SceneVariation strong;
+    strong.radianceFactor = kFactor;
+    protocol::RequestGroup group;
+    for (const auto &[variation, folder] :
+         {std::pair{SceneVariation{}, folderOf(0)}, std::pair{strong, folderOf(1)}}) {
+        for (protocol::File &file : scene.fill(sceneSeed, variation, folder))
+            group.files.push_back(std::move(file));
+    }
+    const std::uint64_t seed = context.seed("samples");
+    for (const int image : {0, 1, 0})
+        group.requests.push_back(
+            imageRequest(folderOf(static_cast<std::size_t>(image)), kRepeats / 4, seed));
+    const ProbeAnswer answer = context.ask(group);
+    if (auto early = unanswered(answer))
+        return *early;
+    const std::vector<float> &plain = answer.responses[0].values;
+    const std::vector<float> &again = answer.responses[2].values;
+    // What is not a number differs from itself; that is another check's to say.
+    const double unstable = differingPart(plain, again, 1);
+    if (unstable > kOtherChoices)
+        return makeResult(
+            Verdict::Inconclusive,
+            fmt::format("{:.2g} % of the samples differ when the same random numbers are given "
+                        "again: are others used, rand() for instance?",
+                        100 * unstable));
+    const double differing = differingPart(plain, answer.responses[1].values, kFactor);
+    CheckResult result = makeResult(
+        differing <= kOtherChoices ? Verdict::Pass : Verdict::Fail,
+        fmt::format("With lights {} times as strong, {:.2g} % of {} samples are not {} times as "
+                    "large.",
+                    kFactor, 100 * differing, plain.size() / 3, kFactor));
+    result.effect = differing;
+    result.mde = kOtherChoices;
+    if (result.verdict == Verdict::Fail)
+        result.diagnosis = "Radiance enters somewhere else than as a factor: is it clamped, or "
+                           "compared with a constant?";
+    return result;
+}
+
+Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
+    Check check;
+    check.id = std::string("direct_ems.") + name;
+    check.item = "direct_ems";
+    check.group = "direct_ems";
+    check.what = what;
+    check.tolerance = 0.005;
+    check.gross = 0.05;
+    check.run = std::move(run);
+    return check;
+}
+
+} // namespace
+
+std::vector<Check> relationChecks() {
+    std::vector<Check> checks = {
+        row("scaled", "Lights k times as strong make every sample k times as large.", judgeScaled)};
+    for (const Relation &relation : relations())
+        checks.push_back(row(relation.name, relation.what, [relation](CheckContext &context) {
+            return judgeRelation(context, relation);
+        }));
+    return checks;
+}
+
+} // namespace grader
