@@ -82,23 +82,30 @@ double bound(const MeanTestResult &test, double level) {
     return absoluteDifferenceBound(test, level);
 }
 
-void combine(TileWelchResult &result) {
+void combine(TileWelchResult &result, bool leavesOutSkewedTiles) {
     const boost::math::normal normal;
-    const auto count = static_cast<double>(result.tiles.size());
     double largest = -1.0;
     for (std::size_t i = 0; i < result.tiles.size(); ++i) {
-        const double score = result.tiles[i].score;
-        result.sumOfSquares += score * score;
-        if (std::fabs(score) > largest) {
-            largest = std::fabs(score);
+        const Tile &tile = result.tiles[i];
+        if (!tile.test.gateMet) {
+            ++result.tilesBeyondGate;
+            if (leavesOutSkewedTiles)
+                continue;
+        }
+        result.sumOfSquares += tile.score * tile.score;
+        if (std::fabs(tile.score) > largest) {
+            largest = std::fabs(tile.score);
             result.worstTile = i;
         }
-        if (!result.tiles[i].test.gateMet) {
-            ++result.tilesBeyondGate;
-        }
+        // A tile without noise that agrees can neither raise an alarm nor hide one.
+        if (tile.test.standardError > 0.0 || tile.score != 0.0)
+            ++result.tilesTested;
     }
-    result.sumPValue = cdf(complement(boost::math::chi_squared(count), result.sumOfSquares));
-    result.maxPValue = std::min(1.0, count * 2.0 * cdf(complement(normal, largest)));
+    if (result.tilesTested > 0) {
+        const auto count = static_cast<double>(result.tilesTested);
+        result.sumPValue = cdf(complement(boost::math::chi_squared(count), result.sumOfSquares));
+        result.maxPValue = std::min(1.0, count * 2.0 * cdf(complement(normal, largest)));
+    }
     result.pValue =
         std::min(1.0, 3.0 * std::min({result.global.pValue, result.sumPValue, result.maxPValue}));
     result.gateMet = result.global.gateMet && result.tilesBeyondGate == 0;
@@ -126,6 +133,13 @@ void addEffectSizes(TileWelchResult &result, const TileWelchConfig &config) {
 
 } // namespace
 
+void summarizeTiles(TileWelchResult &result, const TileWelchConfig &config) {
+    for (Tile &tile : result.tiles)
+        tile.score = normalScore(tile.test);
+    combine(result, config.leavesOutSkewedTiles);
+    addEffectSizes(result, config);
+}
+
 TileWelchResult tileWelchTest(const MomentImage &student, const MomentImage &reference,
                               const TileWelchConfig &config) {
     requireImage(reference, student);
@@ -146,15 +160,13 @@ TileWelchResult tileWelchTest(const MomentImage &student, const MomentImage &ref
                     all.add(student.at(px, py), reference.at(px, py));
                 }
             }
-            Tile tile{x, y, sums.reference / sums.pixels, sums.test(config.exactTolerance), 0.0};
-            tile.score = normalScore(tile.test);
-            result.tiles.push_back(tile);
+            result.tiles.push_back(
+                {x, y, sums.reference / sums.pixels, sums.test(config.exactTolerance), 0.0});
         }
     }
     result.global = all.test(config.exactTolerance);
     result.referenceMean = all.reference / all.pixels;
-    combine(result);
-    addEffectSizes(result, config);
+    summarizeTiles(result, config);
     return result;
 }
 
@@ -174,6 +186,8 @@ ScaleEstimate estimateScale(const MomentImage &student, const MomentImage &refer
         const MomentSummary &x = student.pixels[i];
         const MomentSummary &a = referenceA.pixels[i];
         const MomentSummary &b = referenceB.pixels[i];
+        if (a.variance == 0.0 && meanVariance > 0.0)
+            continue; // what is seen without noise would outweigh all that is estimated
         // The addend keeps a pixel that happens to show little noise from outweighing the rest.
         const double noise = a.variance + 0.1 * meanVariance;
         const double weight = (noise > 0.0 ? 1.0 / noise : 1.0) * a.mean;

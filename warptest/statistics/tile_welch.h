@@ -28,6 +28,9 @@ struct TileWelchConfig {
     double exactTolerance = 1e-4;
     /// Tile differences are related to max(reference, this part of the image's mean).
     double relativeFloor = 0.05;
+    /// Leave tiles beyond the skewness gate out of the statistics: for images that nobody can add
+    /// samples to. Otherwise `gateMet` tells that more samples are needed.
+    bool leavesOutSkewedTiles = false;
     double significance = 1e-4; ///< for the minimal detectable errors, two-sided
     double power = 0.999;       ///< for the minimal detectable errors
     double boundLevel = 1e-4;   ///< of the upper confidence bounds
@@ -48,8 +51,10 @@ struct TileWelchResult {
     MeanTestResult global; ///< mean over the image; sees a common factor
     double referenceMean = 0.0;
 
+    /// Tiles with noise or with a difference; the others say nothing. Without those left out.
+    std::size_t tilesTested = 0;
     double sumOfSquares = 0.0; ///< of the scores; sees many weak errors of either sign
-    double sumPValue = 1.0;    ///< against chi^2 with one degree of freedom per tile
+    double sumPValue = 1.0;    ///< against chi^2 with one degree of freedom per tested tile
     double maxPValue = 1.0;    ///< largest |score|, Bonferroni over the tiles; sees one bad tile
     std::size_t worstTile = 0; ///< index of the largest |score|
     double pValue = 1.0;       ///< of the three together: min(1, 3 min p)
@@ -73,6 +78,10 @@ struct TileWelchResult {
 TileWelchResult tileWelchTest(const MomentImage &student, const MomentImage &reference,
                               const TileWelchConfig &config = {});
 
+/// Fills in everything but the tiles, their grid, `global` and `referenceMean`, which are given.
+/// Tiles need their place, reference and test; their scores are computed.
+void summarizeTiles(TileWelchResult &result, const TileWelchConfig &config);
+
 /// "Your image is (1 + beta) times the reference."
 struct ScaleEstimate {
     double beta = 0.0; ///< relative error; -1/2, 1, 1/pi - 1, ... name a mistake
@@ -81,9 +90,10 @@ struct ScaleEstimate {
     double mde = 0.0;   ///< minimal detectable |beta|
 };
 
-/// Weighted estimate of a common factor from a student's image and two independent halves of the
-/// reference. Weights and signal come from half A, differences from half B: from one and the same
-/// noisy reference beta would be biased by the noise's relative variance.
+/// Weighted estimate of a common factor of what is estimated with noise from a student's image and
+/// two independent halves of the reference. Weights and signal come from half A, differences from
+/// half B: from one and the same noisy reference beta would be biased by the noise's relative
+/// variance.
 ///
 /// \throws std::invalid_argument  as tileWelchTest(), or if the reference is black.
 ScaleEstimate estimateScale(const MomentImage &student, const MomentImage &referenceA,

@@ -59,6 +59,15 @@ constexpr char kStarterExamples[] = R"(
 Example:
   norigrade starter student_edition/)";
 
+constexpr char kCompareExamples[] = R"(
+Examples:
+  norigrade compare cbox_ems_512.exr cbox_ems.exr --reference-spp 1024
+  norigrade compare mine.exr --reference half_a.exr half_b.exr --tiles z.png
+  norigrade compare a.exr b.exr --json | jq .verdict
+
+A verdict needs moments: render with `nori --moments`, each image with a seed of its own.
+Exit codes: 0 alike, 1 different, 3 cannot tell, 2 a file cannot be compared.)";
+
 /// The digits as 32 lower-case ones; CLI11 reports what is no seed.
 std::string normalizeSeed(const std::string &seed) {
     std::string digits(kSeedDigits - seed.size(), '0');
@@ -102,6 +111,37 @@ CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
     verb->add_flag("--json", command.json, "Print results.json instead of tables");
     verb->add_flag("--quiet", command.quiet, "Print one line per hand-in, no progress");
     verb->footer(marked ? kGradeExamples : kCheckExamples);
+    return verb;
+}
+
+const CLI::App *addCompare(CLI::App &program, CompareCommand &command) {
+    CLI::App *verb =
+        program.add_subcommand("compare", "Tell whether two renders show the same radiance");
+    verb->add_option("IMAGE", command.image, "EXR or PNG file to judge")->required()->type_name("");
+    // Two ways to name it: a plain pair of files reads best without an option.
+    CLI::Option *second =
+        verb->add_option("REFERENCE", command.references, "What it should look like")
+            ->expected(1)
+            ->type_name("");
+    verb->add_option("--reference", command.references,
+                     "Instead of REFERENCE: one file, or two independent halves of one reference")
+        ->expected(1, 2)
+        ->type_name("FILE")
+        ->excludes(second);
+    verb->add_option("--level", command.level,
+                     "Chance of calling two right renders different (default: 1e-4)")
+        ->type_name("P")
+        ->check(CLI::Range(1e-12, 0.1));
+    verb->add_option("--reference-spp", command.referenceSpp,
+                     "Samples per pixel of a reference that does not say")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--tiles", command.tiles,
+                     "PNG to write: where, and how significantly, they "
+                     "differ")
+        ->type_name("FILE");
+    verb->add_flag("--json", command.json, "Print JSON with every tile");
+    verb->footer(kCompareExamples);
     return verb;
 }
 
@@ -167,10 +207,14 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
         ->type_name("");
     starterVerb->footer(kStarterExamples);
 
+    CompareCommand compare;
+    const CLI::App *compareVerb = addCompare(program, compare);
+
     if (arguments.empty())
         return PrintCommand{program.help()};
     if (arguments.front().rfind('-', 0) != 0) {
-        const std::vector<std::string> verbs = {"grade", "check", "doctor", "lint", "starter"};
+        const std::vector<std::string> verbs = {"grade", "check",   "doctor",
+                                                "lint",  "starter", "compare"};
         if (std::find(verbs.begin(), verbs.end(), arguments.front()) == verbs.end())
             return UsageMistake{fmt::format("there is no verb \"{}\"{}", arguments.front(),
                                             suggestion(arguments.front(), verbs))};
@@ -196,6 +240,12 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
         return lint;
     if (starterVerb->parsed())
         return starter;
+    if (compareVerb->parsed()) {
+        if (compare.references.empty())
+            return UsageMistake{"compare needs a second image, the reference\n"
+                                "norigrade compare --help tells more"};
+        return compare;
+    }
     return DoctorCommand{};
 }
 

@@ -30,6 +30,16 @@ struct StarterCommand {
     std::filesystem::path folder;
 };
 
+/// One image against a reference.
+struct CompareCommand {
+    std::filesystem::path image;
+    std::vector<std::filesystem::path> references; ///< one, or two independent halves
+    double level = 1e-4;                           ///< family-wise significance
+    double referenceSpp = 0;                       ///< 0: what the reference's header says
+    std::filesystem::path tiles;                   ///< PNG to write; empty: none
+    bool json = false;
+};
+
 /// `--help` and `--version`: nothing to do but to print it.
 struct PrintCommand {
     std::string text;
@@ -40,8 +50,8 @@ struct UsageMistake {
     std::string message;
 };
 
-using Command = std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand, PrintCommand,
-                             UsageMistake>;
+using Command = std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand,
+                             CompareCommand, PrintCommand, UsageMistake>;
 
 /// \param arguments  without the program's name
 Command parseCommandLine(const std::vector<std::string> &arguments);

@@ -110,5 +110,24 @@ TEST(FreshSeed, IsThirtyTwoDigitsThatDoNotRepeat) {
     }
 }
 
+TEST(CommandLine, ReadsCompareWithOneReferenceOrTwoHalves) {
+    const auto compare = [](const Arguments &arguments) {
+        return std::get<CompareCommand>(parseCommandLine(arguments));
+    };
+    const CompareCommand pair = compare({"compare", "--json", "a.exr", "b.exr", "--level", "1e-6",
+                                         "--reference-spp", "1024", "--tiles", "z.png"});
+    EXPECT_EQ(pair.image, "a.exr");
+    EXPECT_EQ(pair.references, (std::vector<std::filesystem::path>{"b.exr"}));
+    EXPECT_EQ(pair.level, 1e-6);
+    EXPECT_EQ(pair.referenceSpp, 1024);
+    EXPECT_EQ(pair.tiles, "z.png");
+    EXPECT_TRUE(pair.json);
+    EXPECT_EQ(compare({"compare", "a.exr", "--reference", "b.exr", "c.exr"}).references,
+              (std::vector<std::filesystem::path>{"b.exr", "c.exr"}));
+    EXPECT_NE(mistake({"compare", "a.exr"}).find("needs a second image"), std::string::npos);
+    EXPECT_NE(mistake({"compare", "a.exr", "b.exr", "--reference", "c.exr"}), "no mistake");
+    EXPECT_NE(mistake({"compare", "a.exr", "b.exr", "--level", "2"}), "no mistake");
+}
+
 } // namespace
 } // namespace grader

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <grader/results/results_json.h>
 #include <support/sample_result.h>
+#include <support/schema_checker.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace grader {
 namespace {
@@ -16,81 +15,8 @@ RunResult runOf(SubmissionResult result) {
     return {{"0.1.0", "p2", "aa", "bb", "g++"}, {result}};
 }
 
-/// The parts of JSON Schema that our schema uses.
-class SchemaChecker {
-public:
-    explicit SchemaChecker(Json schema) : m_schema(std::move(schema)) {}
-
-    /// What is wrong with `value`, empty if nothing is.
-    std::string check(const Json &value) const { return check(value, m_schema, "$"); }
-
-private:
-    std::string check(const Json &value, const Json &rule, const std::string &place) const {
-        if (rule.contains("$ref")) {
-            const std::string reference = rule["$ref"];
-            return check(value, m_schema.at(Json::json_pointer(reference.substr(1))), place);
-        }
-        if (rule.contains("const") && value != rule["const"])
-            return place + ": is not the constant";
-        if (rule.contains("enum") &&
-            std::find(rule["enum"].begin(), rule["enum"].end(), value) == rule["enum"].end())
-            return place + ": is not one of the known values";
-        if (rule.contains("type") && !hasType(value, rule["type"]))
-            return place + ": has the wrong type";
-        for (const auto &key : rule.value("required", Json::array())) {
-            if (!value.contains(key))
-                return place + ": lacks " + std::string(key);
-        }
-        return value.is_object() ? checkMembers(value, rule, place)
-                                 : checkElements(value, rule, place);
-    }
-
-    std::string checkMembers(const Json &value, const Json &rule, const std::string &place) const {
-        for (const auto &[key, member] : value.items()) {
-            const Json properties = rule.value("properties", Json::object());
-            const Json others = rule.value("additionalProperties", Json(true));
-            std::string wrong;
-            if (properties.contains(key))
-                wrong = check(member, properties[key], place + "." + key);
-            else if (others == false)
-                wrong = place + ": has an unknown member " + key;
-            else if (others.is_object())
-                wrong = check(member, others, place + "." + key);
-            if (!wrong.empty())
-                return wrong;
-        }
-        return {};
-    }
-
-    std::string checkElements(const Json &value, const Json &rule, const std::string &place) const {
-        if (!value.is_array() || !rule.contains("items"))
-            return {};
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            const std::string wrong =
-                check(value[i], rule["items"], place + "[" + std::to_string(i) + "]");
-            if (!wrong.empty())
-                return wrong;
-        }
-        return {};
-    }
-
-    static bool hasType(const Json &value, const Json &type) {
-        if (type.is_array())
-            return std::any_of(type.begin(), type.end(),
-                               [&](const Json &one) { return hasType(value, one); });
-        const std::string name = type;
-        return (name == "object" && value.is_object()) || (name == "array" && value.is_array()) ||
-               (name == "string" && value.is_string()) || (name == "number" && value.is_number()) ||
-               (name == "boolean" && value.is_boolean()) || (name == "null" && value.is_null());
-    }
-
-    Json m_schema;
-};
-
-SchemaChecker publishedSchema() {
-    std::ifstream file(std::string(NORI_SOURCE_DIR) +
-                       "/grading/grader/results/results.schema.json");
-    return SchemaChecker(Json::parse(file));
+support::SchemaChecker publishedSchema() {
+    return support::SchemaChecker::ofFile("grading/grader/results/results.schema.json");
 }
 
 TEST(ResultsJson, FollowsItsPublishedSchema) {
