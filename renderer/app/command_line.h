@@ -8,7 +8,7 @@
 struct CommandLine {
     std::string scene;
     std::string output; ///< path without suffix; empty: beside the scene
-    int width = 0; ///< 0: the scene's, and so is the height
+    int width = 0;      ///< 0: the scene's, and so is the height
     int height = 0;
     std::string integrator; ///< empty: the scene's
     int samplesPerPixel = 0;

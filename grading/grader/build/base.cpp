@@ -2,8 +2,8 @@
 #include "base.h"
 
 #include <grader/build/starter.h>
-#include <grader/text_file.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
 
 #include <fmt/core.h>
 

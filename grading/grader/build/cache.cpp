@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cache.h"
 
-#include <grader/text_file.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
 
 #include <fmt/core.h>
 

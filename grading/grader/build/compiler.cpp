@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler.h"
 
-#include <grader/text_file.h>
 #include <grader/digest.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "starter.h"
 
 #include <grader/build/base.h>
-#include <grader/text_file.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine.h"
 
-#include <grader/text_file.h>
 #include <grader/digest.h>
 #include <grader/engine/check_runner.h>
 #include <grader/error.h>
 #include <grader/scoring/scoring.h>
+#include <grader/text_file.h>
 
 #include <fmt/core.h>
 
