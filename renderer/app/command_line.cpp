@@ -29,8 +29,6 @@ constexpr char kFooter[] =
 The header of the .exr says spp, seed, integrator, version and render time.
 With --moments the .exr has more layers, per pixel and of the unfiltered samples: count.Y, and
 mean.R/G/B, variance.R/G/B and third.R/G/B (third central moment).
-With --compact the numbers of the .exr are rounded to 16 significant bits (a relative error of at
-most 1.6e-5), which takes about half the room.
 
 Ctrl-C stops and writes what is there, marked `partial` in the header; twice stops at once.
 
@@ -70,7 +68,6 @@ std::optional<CommandLine> parseCommandLine(int argc, char **argv, int &exitCode
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--moments", line.moments, "Also write the samples' moments per pixel");
-    app.add_flag("--compact", line.compact, "Write a smaller .exr");
     app.add_flag("--quiet", line.quiet, "Print nothing but errors and warnings");
     bool withoutWindow = false;
     app.add_flag("-b,--nogui,--no-gui", withoutWindow,

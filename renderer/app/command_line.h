@@ -15,7 +15,6 @@ struct CommandLine {
     std::optional<int> seed;
     int threads = 0;
     bool moments = false;
-    bool compact = false;
     bool quiet = false;
 };
 

@@ -61,10 +61,8 @@ public:
     }
 
     /// The file's bytes.
-    std::string encode(const std::map<std::string, std::string> &attributes, bool compact) {
+    std::string encode(const std::map<std::string, std::string> &attributes) {
         Imf::Header header(m_width, m_height);
-        if (compact) // halves would overflow: a third moment has the cube of the radiance's range
-            header.compression() = Imf::PXR24_COMPRESSION;
         for (const auto &attribute : attributes)
             header.insert(attribute.first, Imf::StringAttribute(attribute.second));
         Imf::FrameBuffer buffer;
@@ -109,7 +107,7 @@ void writeBytes(const std::string &name, const std::string &bytes) {
 constexpr const char *kChannels[] = {"R", "G", "B"};
 
 void writeExr(const nori::RenderResult &result, const TemporaryFile &file,
-              const std::map<std::string, std::string> &header, bool compact) {
+              const std::map<std::string, std::string> &header) {
     const auto height = static_cast<int>(result.image.rows());
     const auto width = static_cast<int>(result.image.cols());
     Planes planes(width, height);
@@ -134,7 +132,7 @@ void writeExr(const nori::RenderResult &result, const TemporaryFile &file,
         }
     }
     try {
-        writeBytes(file.name(), planes.encode(header, compact));
+        writeBytes(file.name(), planes.encode(header));
     } catch (const std::system_error &error) {
         throw NoriException("%s: cannot be written: %s", file.finalName(), error.code().message());
     }
@@ -163,10 +161,10 @@ void requireWritable(const std::string &stem) {
 }
 
 void writeImage(const nori::RenderResult &result, const std::string &stem,
-                const std::map<std::string, std::string> &header, bool compact) {
+                const std::map<std::string, std::string> &header) {
     const TemporaryFile exr(stem, ".exr");
     const TemporaryFile png(stem, ".png");
-    writeExr(result, exr, header, compact);
+    writeExr(result, exr, header);
     result.image.savePNG(png.stem());
     exr.putInPlace();
     png.putInPlace();

@@ -132,8 +132,7 @@ int run(const CommandLine &line) {
                 {"version", std::string("nori ") + kNoriVersion},
                 {"renderSeconds", fmt::format("{:.3f}", seconds)},
                 {"partial", result.complete ? "no" : "yes"},
-                {"comments", "Rendered by nori, part of norigrade"}},
-               line.compact);
+                {"comments", "Rendered by nori, part of norigrade"}});
     if (!line.quiet)
         fmt::print("{}.exr, {}.png: {} spp in {:.1f} s{}\n", stem, stem, result.samplesPerPixel,
                    seconds, result.complete ? "" : " (partial)");

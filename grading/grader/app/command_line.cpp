@@ -68,6 +68,17 @@ Examples:
 A verdict needs moments: render with `nori --moments`, each image with a seed of its own.
 Exit codes: 0 alike, 1 different, 3 cannot tell, 2 a file cannot be compared.)";
 
+constexpr char kReferencesExamples[] = R"(
+Renders what is not there yet or whose scene has changed; an interrupted call is resumed by the next.
+--verify renders nothing into the folder: it renders each scene by two other algorithms (sampling the
+BSDF, or the sum over point lights; both strategies) and says how far they agree. It takes as long as
+the references themselves.
+
+Examples:
+  norigrade references                              what is missing in references/assignment-2/
+  norigrade references cbox/cbox_ems.xml --full-size --out /tmp/full
+  norigrade references --verify)";
+
 /// The digits as 32 lower-case ones; CLI11 reports what is no seed.
 std::string normalizeSeed(const std::string &seed) {
     std::string digits(kSeedDigits - seed.size(), '0');
@@ -145,6 +156,37 @@ const CLI::App *addCompare(CLI::App &program, CompareCommand &command) {
     return verb;
 }
 
+const CLI::App *addReferences(CLI::App &program, ReferencesCommand &command) {
+    CLI::App *verb = program.add_subcommand(
+        "references", "Render reference images of the assignment's scenes, or verify them");
+    verb->add_option("SCENE", command.scenes,
+                     "Below scenes/assignment-2, such as cbox/cbox_ems.xml (default: all)")
+        ->type_name("");
+    verb->add_option("--out", command.out,
+                     "Folder of the images and manifest.toml (default: references/assignment-2)")
+        ->type_name("DIR");
+    verb->add_flag("--full-size", command.fullSize,
+                   "In the scenes' own sizes, not 256 pixels wide; needs --out");
+    verb->add_flag("--verify", command.verify, "Compare them with renders by other algorithms");
+    verb->footer(kReferencesExamples);
+    return verb;
+}
+
+/// What CLI11 cannot ask for.
+Command checked(const CompareCommand &command) {
+    if (command.references.empty())
+        return UsageMistake{"compare needs a second image, the reference\n"
+                            "norigrade compare --help tells more"};
+    return command;
+}
+
+Command checked(const ReferencesCommand &command) {
+    if (command.fullSize && command.out.empty())
+        return UsageMistake{"--full-size needs --out DIR: the project's own folder holds small "
+                            "images\nnorigrade references --help tells more"};
+    return command;
+}
+
 /// CLI11's own message, with the option that was probably meant.
 std::string explain(const CLI::ParseError &error, const CLI::App &program,
                     const std::vector<std::string> &arguments) {
@@ -209,12 +251,14 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
 
     CompareCommand compare;
     const CLI::App *compareVerb = addCompare(program, compare);
+    ReferencesCommand references;
+    const CLI::App *referencesVerb = addReferences(program, references);
 
     if (arguments.empty())
         return PrintCommand{program.help()};
     if (arguments.front().rfind('-', 0) != 0) {
-        const std::vector<std::string> verbs = {"grade", "check",   "doctor",
-                                                "lint",  "starter", "compare"};
+        const std::vector<std::string> verbs = {"grade",   "check",   "doctor",    "lint",
+                                                "starter", "compare", "references"};
         if (std::find(verbs.begin(), verbs.end(), arguments.front()) == verbs.end())
             return UsageMistake{fmt::format("there is no verb \"{}\"{}", arguments.front(),
                                             suggestion(arguments.front(), verbs))};
@@ -240,12 +284,10 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
         return lint;
     if (starterVerb->parsed())
         return starter;
-    if (compareVerb->parsed()) {
-        if (compare.references.empty())
-            return UsageMistake{"compare needs a second image, the reference\n"
-                                "norigrade compare --help tells more"};
-        return compare;
-    }
+    if (compareVerb->parsed())
+        return checked(compare);
+    if (referencesVerb->parsed())
+        return checked(references);
     return DoctorCommand{};
 }
 

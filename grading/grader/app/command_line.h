@@ -40,6 +40,14 @@ struct CompareCommand {
     bool json = false;
 };
 
+/// Renders the references of the assignment's scenes, or verifies them.
+struct ReferencesCommand {
+    std::vector<std::string> scenes; ///< below the folder of scenes; empty: all
+    std::filesystem::path out;       ///< empty: the project's own
+    bool fullSize = false;
+    bool verify = false;
+};
+
 /// `--help` and `--version`: nothing to do but to print it.
 struct PrintCommand {
     std::string text;
@@ -51,7 +59,7 @@ struct UsageMistake {
 };
 
 using Command = std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand,
-                             CompareCommand, PrintCommand, UsageMistake>;
+                             CompareCommand, ReferencesCommand, PrintCommand, UsageMistake>;
 
 /// \param arguments  without the program's name
 Command parseCommandLine(const std::vector<std::string> &arguments);

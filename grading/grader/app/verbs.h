@@ -12,6 +12,7 @@ ExitCode run(const DoctorCommand &command);
 ExitCode run(const LintCommand &command);
 ExitCode run(const StarterCommand &command);
 ExitCode run(const CompareCommand &command);
+ExitCode run(const ReferencesCommand &command);
 ExitCode run(const PrintCommand &command);
 ExitCode run(const UsageMistake &mistake);
 

@@ -281,20 +281,6 @@ TEST_F(Nori, RendersInAnotherSizeAndByAnotherIntegrator) {
     EXPECT_NE(errors().find("unknown integrator; known: depth"), std::string::npos) << errors();
 }
 
-TEST_F(Nori, RoundsTo16SignificantBitsIfAskedTo) {
-    ASSERT_EQ(run({"scenes/small.xml", "--moments", "--output", "exact"}), 0);
-    ASSERT_EQ(run({"scenes/small.xml", "--moments", "--compact", "--output", "compact"}), 0);
-    const Exr exact = loadExr(path("exact.exr"));
-    const Exr compact = loadExr(path("compact.exr"));
-    EXPECT_LT(fs::file_size(path("compact.exr")), fs::file_size(path("exact.exr")));
-    EXPECT_NE(compact.channels, exact.channels);
-    for (const auto &[name, plane] : exact.channels) {
-        for (std::size_t i = 0; i < plane.size(); ++i)
-            ASSERT_NEAR(compact.channels.at(name)[i], plane[i], std::abs(0x1p-16F * plane[i]))
-                << name;
-    }
-}
-
 TEST_F(Nori, SaysWhatIsWrongWithTheCommandLine) {
     const std::vector<std::vector<std::string>> mistakes{
         {},

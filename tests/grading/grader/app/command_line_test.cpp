@@ -57,6 +57,13 @@ TEST(CommandLine, ReadsTheOtherVerbs) {
     EXPECT_TRUE(std::holds_alternative<DoctorCommand>(parseCommandLine({"doctor"})));
     EXPECT_EQ(std::get<LintCommand>(parseCommandLine({"lint", "r.toml"})).rubric, "r.toml");
     EXPECT_EQ(std::get<StarterCommand>(parseCommandLine({"starter", "d"})).folder, "d");
+    const auto references = std::get<ReferencesCommand>(
+        parseCommandLine({"references", "a.xml", "--full-size", "b.xml", "--out", "d"}));
+    EXPECT_EQ(references.scenes, (std::vector<std::string>{"a.xml", "b.xml"}));
+    EXPECT_TRUE(references.fullSize);
+    EXPECT_FALSE(references.verify);
+    EXPECT_EQ(references.out, "d");
+    EXPECT_NE(mistake({"references", "--full-size"}).find("needs --out"), std::string::npos);
 }
 
 TEST(CommandLine, TakesAFileNameThatLooksLikeAnOptionAfterTwoDashes) {
