@@ -52,21 +52,6 @@ std::vector<float> averaged(const std::vector<Image> &references, const char *na
     return values;
 }
 
-ChannelMoments merged(const ChannelMoments &a, const ChannelMoments &b) {
-    ChannelMoments all = a;
-    for (std::size_t i = 0; i < all.pixels.size(); ++i) {
-        MomentSummary &to = all.pixels[i];
-        const MomentSummary &from = b.pixels[i];
-        const double count = to.count + from.count;
-        const double part = from.count / count;
-        to.mean += part * (from.mean - to.mean);
-        to.variance += part * (from.variance - to.variance);
-        to.thirdCentral += part * (from.thirdCentral - to.thirdCentral);
-        to.count = count;
-    }
-    return all;
-}
-
 std::size_t countNonFinite(const Image &image) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.channels.front().values.size(); ++i) {
@@ -253,6 +238,21 @@ private:
 };
 
 } // namespace
+
+ChannelMoments merged(const ChannelMoments &a, const ChannelMoments &b) {
+    ChannelMoments all = a;
+    for (std::size_t i = 0; i < all.pixels.size(); ++i) {
+        MomentSummary &to = all.pixels[i];
+        const MomentSummary &from = b.pixels[i];
+        const double count = to.count + from.count;
+        const double part = from.count / count;
+        to.mean += part * (from.mean - to.mean);
+        to.variance += part * (from.variance - to.variance);
+        to.thirdCentral += part * (from.thirdCentral - to.thirdCentral);
+        to.count = count;
+    }
+    return all;
+}
 
 std::optional<std::vector<ChannelMoments>> momentsOf(const Image &image) {
     const protocol::Channel *count = image.channel("count.Y");

@@ -19,6 +19,9 @@ struct ChannelMoments {
 /// Moments of the channels R, G, B; none if the image has none.
 std::optional<std::vector<ChannelMoments>> momentsOf(const protocol::Image &image);
 
+/// Of two independent halves of one reference together.
+ChannelMoments merged(const ChannelMoments &a, const ChannelMoments &b);
+
 struct ComparisonOptions {
     double significance = 1e-4; ///< family-wise: of a false alarm anywhere in the images
     /// Samples per pixel of a reference without moments; 0: what its header says.

@@ -2,6 +2,7 @@
 #include "verification.h"
 
 #include <grader/error.h>
+#include <grader/images/comparison.h>
 #include <statistics/tile_welch.h>
 
 #include <algorithm>
@@ -12,65 +13,39 @@ namespace grader {
 
 namespace {
 
-using statistics::MomentSummary;
-
 constexpr double kPower = 0.999;
-constexpr std::array<const char *, 3> kChannels = {"R", "G", "B"};
+constexpr std::size_t kChannels = 3;
 
-/// One channel of an image.
+/// The moments of an image, and how it is laid out.
 struct Moments {
     int width = 0;
     int height = 0;
-    std::vector<MomentSummary> pixels;
+    std::vector<ChannelMoments> channels;
 
-    operator statistics::MomentImage() const { return {width, height, pixels}; } // NOLINT
+    statistics::MomentImage channel(std::size_t c) const {
+        return {width, height, channels[c].pixels};
+    }
 };
 
-Moments momentsOf(const protocol::Image &image, const std::string &channel) {
-    const protocol::Channel *const count = image.channel("count.Y");
-    const protocol::Channel *const mean = image.channel("mean." + channel);
-    const protocol::Channel *const variance = image.channel("variance." + channel);
-    const protocol::Channel *const third = image.channel("third." + channel);
-    if (count == nullptr || mean == nullptr || variance == nullptr || third == nullptr)
+Moments readMoments(const protocol::Image &image) {
+    auto channels = momentsOf(image);
+    if (!channels)
         throw GraderError("an image has no moments; `nori --moments` writes them");
-    Moments moments{image.width, image.height, {}};
-    for (std::size_t i = 0; i < mean->values.size(); ++i)
-        moments.pixels.push_back(
-            {static_cast<double>(count->values[i]), static_cast<double>(mean->values[i]),
-             static_cast<double>(variance->values[i]), static_cast<double>(third->values[i])});
-    return moments;
-}
-
-/// Moments of two samples together. \see Pebay 2008, eq. 2.1 and 2.2
-MomentSummary pool(const MomentSummary &a, const MomentSummary &b) {
-    const double count = a.count + b.count;
-    const double delta = b.mean - a.mean;
-    const auto sum2 = [](const MomentSummary &s) {
-        return s.variance * (s.count - 1);
-    };
-    const auto sum3 = [](const MomentSummary &s) {
-        return s.thirdCentral * (s.count - 1) * (s.count - 2) / s.count;
-    };
-    const double all2 = sum2(a) + sum2(b) + delta * delta * a.count * b.count / count;
-    const double all3 =
-        sum3(a) + sum3(b) +
-        std::pow(delta, 3) * a.count * b.count * (a.count - b.count) / (count * count) +
-        3 * delta * (a.count * sum2(b) - b.count * sum2(a)) / count;
-    return {count, a.mean + delta * b.count / count, all2 / (count - 1),
-            all3 * count / ((count - 1) * (count - 2))};
+    return {image.width, image.height, std::move(*channels)};
 }
 
 Moments pool(const Moments &a, const Moments &b) {
-    if (a.pixels.size() != b.pixels.size())
+    if (a.width != b.width || a.height != b.height)
         throw GraderError("the halves of a reference have different sizes");
     Moments all{a.width, a.height, {}};
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        all.pixels.push_back(pool(a.pixels[i], b.pixels[i]));
+    for (std::size_t c = 0; c < kChannels; ++c)
+        all.channels.push_back(merged(a.channels[c], b.channels[c]));
     return all;
 }
 
 /// Adds one channel's tile test.
-void addTiles(Agreement &result, const Moments &render, const Moments &reference) {
+void addTiles(Agreement &result, const statistics::MomentImage &render,
+              const statistics::MomentImage &reference) {
     const int side = std::max(render.width, render.height);
     statistics::TileWelchConfig config;
     statistics::TileWelchResult tiles = tileWelchTest(render, reference, config);
@@ -83,8 +58,8 @@ void addTiles(Agreement &result, const Moments &render, const Moments &reference
     result.pValue = std::min(result.pValue, std::min(1.0, 3.0 * tiles.pValue));
 }
 
-void addScale(Agreement &result, const Moments &render, const Moments &a, const Moments &b,
-              double level) {
+void addScale(Agreement &result, const statistics::MomentImage &render,
+              const statistics::MomentImage &a, const statistics::MomentImage &b, double level) {
     statistics::TileWelchConfig config;
     config.significance = level;
     config.power = kPower;
@@ -105,14 +80,16 @@ std::vector<std::string> independentAlgorithms(const SceneFile &scene) {
 
 Agreement compareWithReference(const protocol::Image &render,
                                const std::array<protocol::Image, 2> &halves, double level) {
+    const Moments mine = readMoments(render);
+    const Moments a = readMoments(halves[0]);
+    const Moments b = readMoments(halves[1]);
+    const Moments both = pool(a, b);
     Agreement result;
     try {
-        for (const char *channel : kChannels) {
-            const Moments mine = momentsOf(render, channel);
-            const Moments a = momentsOf(halves[0], channel);
-            const Moments b = momentsOf(halves[1], channel);
-            addTiles(result, mine, pool(a, b));
-            addScale(result, mine, a, b, level / 3.0);
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            addTiles(result, mine.channel(c), both.channel(c));
+            addScale(result, mine.channel(c), a.channel(c), b.channel(c),
+                     level / static_cast<double>(kChannels));
         }
     } catch (const std::invalid_argument &error) {
         throw GraderError(error.what());
@@ -121,10 +98,12 @@ Agreement compareWithReference(const protocol::Image &render,
 }
 
 Agreement compareHalves(const std::array<protocol::Image, 2> &halves) {
+    const Moments a = readMoments(halves[0]);
+    const Moments b = readMoments(halves[1]);
     Agreement result;
     try {
-        for (const char *channel : kChannels)
-            addTiles(result, momentsOf(halves[0], channel), momentsOf(halves[1], channel));
+        for (std::size_t c = 0; c < kChannels; ++c)
+            addTiles(result, a.channel(c), b.channel(c));
     } catch (const std::invalid_argument &error) {
         throw GraderError(error.what());
     }
