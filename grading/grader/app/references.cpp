@@ -22,11 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scale within these is what a reference is asked for; the second where it is too noisy for the
-/// first.
-constexpr double kScaleAsked = 0.001;
-constexpr double kScaleAtWorst = 0.005;
-
 /// A folder that goes with this object.
 class TemporaryFolder {
 public:
@@ -90,70 +85,100 @@ ExitCode render(const fs::path &scenes, const fs::path &out,
 }
 
 /// What an agreement comes to, in words.
-std::string verdictOf(const Agreement &agreement, double level, bool withScale) {
-    if (!agreement.isTested)
-        return "too skewed to tell";
-    if (agreement.pValue < level)
+std::string sentenceOf(const Agreement &agreement, Accord accord) {
+    switch (accord) {
+    case Accord::Different:
         return "DIFFERENT";
-    if (!withScale)
+    case Accord::TooSkewed:
+        return "too skewed to tell";
+    case Accord::TooNoisy:
+        return "alike, scale too noisy to tell";
+    case Accord::Alike:
+        break;
+    }
+    if (!agreement.hasScale)
         return "alike";
-    for (const double asked : {kScaleAsked, kScaleAtWorst}) {
-        if (agreement.scaleBound <= asked)
-            return fmt::format("scale within {:.1f} %", 100 * asked);
-    }
-    return "scale too noisy to tell";
+    return fmt::format("alike, scale within {:.1f} %",
+                       100 * (agreement.scaleBound <= kScaleAsked ? kScaleAsked : kScaleAtWorst));
 }
 
-/// \return  whether it is as it should be
-bool print(const std::string &scene, const std::string &algorithm, const Agreement &agreement,
-           double level, bool withScale) {
-    const std::string verdict = verdictOf(agreement, level, withScale);
-    const std::string scale =
-        withScale ? fmt::format("{:+8.3f} {:8.3f} {:8.3f}", 100 * agreement.scale,
-                                100 * agreement.scaleBound, 100 * agreement.scaleMde)
-                  : std::string(26, ' ');
-    fmt::print("{:30} {:15} {:9.2g} {:5} {} {}\n", scene, algorithm, agreement.pValue,
-               agreement.tileSize, scale, verdict);
-    std::fflush(stdout);
-    return verdict == "alike" || verdict.find("within") != std::string::npos;
-}
+/// Compares the references with renders by other algorithms and prints a row for each.
+class Verifier {
+public:
+    Verifier(fs::path scenes, fs::path out, std::size_t sceneCount,
+             const std::atomic<bool> &interrupted)
+        : m_scenes(std::move(scenes)),
+          m_out(std::move(out)),
+          m_level(kFamilyLevel / (kTestsPerScene * static_cast<double>(sceneCount))),
+          m_interrupted(interrupted) {}
 
-ExitCode verify(const fs::path &scenes, const fs::path &out, const std::vector<SceneFile> &chosen,
-                int width, const std::atomic<bool> &interrupted) {
-    const Sandbox sandbox;
-    const TemporaryFolder temporary;
-    // Bonferroni over the halves and two algorithms of each scene, whatever part is looked at.
-    const double level = kFamilyLevel / (3.0 * static_cast<double>(readSceneFiles(scenes).size()));
-    fmt::print(
-        "Tile tests at a level of {:.2g} each ({:g} of all); scale in percent: estimate, "
-        "upper bound (1e-4), minimal detectable\n\n{:30} {:15} {:>9} {:>5} {:>8} {:>8} {:>8}\n",
-        level, kFamilyLevel, "scene", "against", "p", "tile", "scale", "bound", "mde");
-    bool allRight = true;
-    for (const SceneFile &scene : chosen) {
-        const std::vector<ReferenceImage> plan = planReference(scene, width);
-        std::array<protocol::Image, 2> halves;
-        for (std::size_t i = 0; i < halves.size(); ++i) {
-            halves[i] = readImage(sandbox, out / plan[i].file);
+    ExitCode run(const std::vector<SceneFile> &scenes) {
+        fmt::print(
+            "Tile tests at a level of {:.2g} each ({:g} of all). Scale in percent: estimate, "
+            "upper bound at 99.99 %,\nminimal detectable at the level with power 0.999.\n\n"
+            "{:30} {:14} {:>5} {:>8} {:>5} {:>7} {:>7} {:>7}\n",
+            m_level, kFamilyLevel, "scene", "against", "spp", "p", "tile", "scale", "bound", "mde");
+        for (const SceneFile &scene : scenes) {
+            const std::vector<ReferenceImage> plan = planReference(scene, 0);
+            for (std::size_t i = 0; i < m_halves.size(); ++i)
+                m_halves[i] = readImage(m_sandbox, m_out / plan[i].file);
+            print(scene.name, "its other half", plan[0].samplesPerPixel, compareHalves(m_halves));
+            for (const std::string &algorithm : independentAlgorithms(scene)) {
+                if (verify(scene, algorithm, plan[0].samplesPerPixel) == RenderEnd::Interrupted)
+                    return ExitCode::Interrupted;
+            }
         }
-        allRight = print(scene.name, "other half", compareHalves(halves), level, false) && allRight;
-        for (const std::string &algorithm : independentAlgorithms(scene)) {
-            const fs::path file = temporary.path() / "render.exr";
-            const RenderJob job{scenes / scene.name,
-                                algorithm,
-                                plan[0].samplesPerPixel,
-                                seedOf(fmt::format("{} of {}", algorithm, scene.name)),
-                                halves[0].width,
-                                halves[0].height,
-                                file};
-            if (runRenderer(job, interrupted) == RenderEnd::Interrupted)
-                return ExitCode::Interrupted;
-            const Agreement agreement =
-                compareWithReference(readImage(sandbox, file), halves, level);
-            allRight = print(scene.name, algorithm, agreement, level, true) && allRight;
-        }
+        return m_allAlike ? ExitCode::Done : ExitCode::CheckFailed;
     }
-    return allRight ? ExitCode::Done : ExitCode::CheckFailed;
-}
+
+private:
+    /// The halves, two algorithms, and each of these again with more samples.
+    static constexpr double kTestsPerScene = 5;
+    /// Times as many samples, where as many as the reference has do not settle the scale.
+    static constexpr int kMore = 4;
+
+    RenderEnd verify(const SceneFile &scene, const std::string &algorithm, int samplesPerPixel) {
+        Agreement agreement;
+        for (const int factor : {1, kMore}) {
+            const fs::path file = m_temporary.path() / "render.exr";
+            const int count = factor * samplesPerPixel;
+            const int seed = seedOf(fmt::format("{} of {}, {}", algorithm, scene.name, count));
+            if (runRenderer({m_scenes / scene.name, algorithm, count, seed, m_halves[0].width,
+                             m_halves[0].height, file},
+                            m_interrupted) == RenderEnd::Interrupted)
+                return RenderEnd::Interrupted;
+            agreement = compareWithReference(readImage(m_sandbox, file), m_halves, m_level);
+            print(scene.name, algorithm, count, agreement);
+            if (accordOf(agreement, m_level) != Accord::TooNoisy)
+                break;
+        }
+        m_allAlike = m_allAlike && accordOf(agreement, m_level) == Accord::Alike;
+        return RenderEnd::Done;
+    }
+
+    void print(const std::string &scene, const std::string &other, int samplesPerPixel,
+               const Agreement &agreement) {
+        const Accord accord = accordOf(agreement, m_level);
+        // noise alone can be mended with more samples
+        m_allAlike = m_allAlike && accord != Accord::Different && accord != Accord::TooSkewed;
+        const std::string scale =
+            agreement.hasScale ? fmt::format("{:+7.3f} {:7.3f} {:7.3f}", 100 * agreement.scale,
+                                             100 * agreement.scaleBound, 100 * agreement.scaleMde)
+                               : std::string(23, ' ');
+        fmt::print("{:30} {:14} {:5} {:8.2g} {:5} {} {}\n", scene, other, samplesPerPixel,
+                   agreement.pValue, agreement.tileSize, scale, sentenceOf(agreement, accord));
+        std::fflush(stdout);
+    }
+
+    fs::path m_scenes;
+    fs::path m_out;
+    double m_level; ///< of each test
+    const std::atomic<bool> &m_interrupted;
+    Sandbox m_sandbox;
+    TemporaryFolder m_temporary;
+    std::array<protocol::Image, 2> m_halves; ///< of the current scene
+    bool m_allAlike = true;
+};
 
 } // namespace
 
@@ -171,7 +196,7 @@ ExitCode run(const ReferencesCommand &command) {
         return ExitCode::Usage;
     }
     if (command.verify)
-        return verify(scenes, out, chosen, width, interrupted);
+        return Verifier(scenes, out, readSceneFiles(scenes).size(), interrupted).run(chosen);
     std::vector<ReferenceImage> plan;
     for (const SceneFile &scene : chosen) {
         for (ReferenceImage &image : planReference(scene, width))

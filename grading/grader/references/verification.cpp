@@ -63,6 +63,7 @@ void addScale(Agreement &result, const statistics::MomentImage &render,
     statistics::TileWelchConfig config;
     config.significance = level;
     config.power = kPower;
+    result.hasScale = true;
     const statistics::ScaleEstimate scale = estimateScale(render, a, b, config);
     if (std::abs(scale.beta) > std::abs(result.scale))
         result.scale = scale.beta;
@@ -76,6 +77,15 @@ std::vector<std::string> independentAlgorithms(const SceneFile &scene) {
     if (!scene.hasPointLight)
         return {"direct_mats", "direct_mis"};
     return {scene.integrator == "direct_whitted" ? "direct_ems" : "direct_whitted", "direct_mis"};
+}
+
+Accord accordOf(const Agreement &agreement, double level) {
+    if (!agreement.isTested)
+        return Accord::TooSkewed;
+    if (agreement.pValue < level)
+        return Accord::Different;
+    return agreement.hasScale && agreement.scaleBound > kScaleAtWorst ? Accord::TooNoisy
+                                                                      : Accord::Alike;
 }
 
 Agreement compareWithReference(const protocol::Image &render,

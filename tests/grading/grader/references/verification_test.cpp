@@ -55,13 +55,15 @@ TEST(Verification, AgreesWithARenderOfTheSameMean) {
     EXPECT_LT(std::abs(agreement.scale), agreement.scaleBound);
     EXPECT_LT(agreement.scaleBound, 0.02);
     EXPECT_GT(agreement.scaleMde, 0.0);
-    EXPECT_GT(compareHalves(halves()).pValue, kLevel);
+    EXPECT_EQ(accordOf(agreement, kLevel), Accord::TooNoisy) << "more than half a percent";
+    EXPECT_EQ(accordOf(compareHalves(halves()), kLevel), Accord::Alike);
 }
 
 TEST(Verification, FindsARenderThatIsTooBright) {
     const Agreement agreement = compareWithReference(render(3, 1.05), halves(), kLevel);
     ASSERT_LT(agreement.scaleMde, 0.05); // so it is found with a power of 0.999
     EXPECT_LT(agreement.pValue, kLevel);
+    EXPECT_EQ(accordOf(agreement, kLevel), Accord::Different);
     EXPECT_NEAR(agreement.scale, 0.05, 0.015);
     EXPECT_GT(agreement.scaleBound, 0.05);
     EXPECT_LT(compareHalves({render(1, 1.05), halves()[1]}).pValue, kLevel);
