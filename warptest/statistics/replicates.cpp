@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replicates.h"
 
+#include <statistics/mean_tests.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -18,20 +20,33 @@ void requireShape(bool right, const char *function) {
 
 } // namespace
 
-bool RatioEstimate::differsFromOne(double tolerance, double deviations) const {
-    return std::fabs(ratio - 1.0) - deviations * standardError > tolerance;
+std::vector<double> noiseWeights(std::span<const MomentSummary> reference) {
+    double mean = 0.0;
+    for (const MomentSummary &place : reference) {
+        mean += place.variance / static_cast<double>(reference.size());
+    }
+    std::vector<double> weights;
+    for (const MomentSummary &place : reference) {
+        weights.push_back(mean > 0.0 ? mean / (place.variance + mean) : 1.0);
+    }
+    return weights;
 }
 
 RatioEstimate ratioOfSums(std::span<const double> numerators, std::span<const double> denominators,
-                          std::size_t channels) {
+                          const RatioPlaces &places) {
+    const std::size_t channels = places.channels;
     requireShape(channels > 0 && numerators.size() == denominators.size() &&
-                     numerators.size() >= 2 * channels && numerators.size() % channels == 0,
+                     numerators.size() >= 2 * channels && numerators.size() % channels == 0 &&
+                     (places.weights.empty() || places.weights.size() == numerators.size()),
                  "ratioOfSums");
+    const auto weight = [&](std::size_t i) {
+        return places.weights.empty() ? 1.0 : places.weights[i];
+    };
     double numerator = 0.0;
     double denominator = 0.0;
     for (std::size_t i = 0; i < numerators.size(); ++i) {
-        numerator += numerators[i];
-        denominator += denominators[i];
+        numerator += weight(i) * numerators[i];
+        denominator += weight(i) * denominators[i];
     }
     RatioEstimate result;
     if (numerator == 0.0 && denominator == 0.0) {
@@ -45,7 +60,7 @@ RatioEstimate ratioOfSums(std::span<const double> numerators, std::span<const do
     for (std::size_t i = 0; i < numerators.size(); i += channels) {
         double residual = 0.0;
         for (std::size_t c = i; c < i + channels; ++c) {
-            residual += numerators[c] - result.ratio * denominators[c];
+            residual += weight(c) * (numerators[c] - result.ratio * denominators[c]);
         }
         squares += residual * residual;
     }
@@ -53,18 +68,47 @@ RatioEstimate ratioOfSums(std::span<const double> numerators, std::span<const do
     return result;
 }
 
+CommonError commonError(std::span<const ImagePair> pairs, const RatioPlaces &places) {
+    requireShape(!pairs.empty() && places.channels > 0, "commonError");
+    const std::size_t values = pairs[0].a.size();
+    requireShape(values >= 2 * places.channels && values % places.channels == 0 &&
+                     (places.weights.empty() || places.weights.size() == values),
+                 "commonError");
+    RunningMoments products;
+    for (std::size_t i = 0; i < values; i += places.channels) {
+        double sum = 0.0;
+        double weights = 0.0;
+        for (const ImagePair &pair : pairs) {
+            requireShape(pair.a.size() == values && pair.b.size() == values &&
+                             pair.referenceA.size() == values && pair.referenceB.size() == values,
+                         "commonError");
+            for (std::size_t c = i; c < i + places.channels; ++c) {
+                const double weight = places.weights.empty() ? 1.0 : places.weights[c];
+                sum += weight * (pair.a[c].mean - pair.referenceA[c].mean) *
+                       (pair.b[c].mean - pair.referenceB[c].mean);
+                weights += weight;
+            }
+        }
+        products.add(weights > 0.0 ? sum / weights : 0.0);
+    }
+    // No correction for skewness: it is none of the products' law, and its estimate would only add
+    // noise.
+    const MeanTestResult test = oneSampleTest(products.summary(), 0.0);
+    return {test.difference, test.standardError, test.pValuePlain};
+}
+
 RatioEstimate betweenWithinRatio(const std::vector<std::vector<MomentSummary>> &replicates,
-                                 std::size_t channels) {
+                                 const RatioPlaces &places) {
     requireShape(replicates.size() >= 2 && replicates[0].size() >= 2, "betweenWithinRatio");
-    const std::size_t places = replicates[0].size();
+    const std::size_t values = replicates[0].size();
     std::vector<double> between;
     std::vector<double> within;
-    for (std::size_t i = 0; i < places; ++i) {
+    for (std::size_t i = 0; i < values; ++i) {
         RunningMoments means;
         double variance = 0.0;
         double count = 0.0;
         for (const std::vector<MomentSummary> &replicate : replicates) {
-            requireShape(replicate.size() == places, "betweenWithinRatio");
+            requireShape(replicate.size() == values, "betweenWithinRatio");
             means.add(replicate[i].mean);
             variance += replicate[i].variance;
             count += replicate[i].count;
@@ -73,11 +117,12 @@ RatioEstimate betweenWithinRatio(const std::vector<std::vector<MomentSummary>> &
         between.push_back(means.summary().variance * count / number);
         within.push_back(variance / number);
     }
-    return ratioOfSums(between, within, channels);
+    return ratioOfSums(between, within, places);
 }
 
 RatioEstimate errorVarianceRatio(std::span<const MomentSummary> image,
-                                 std::span<const MomentSummary> reference, std::size_t channels) {
+                                 std::span<const MomentSummary> reference,
+                                 const RatioPlaces &places) {
     requireShape(image.size() == reference.size(), "errorVarianceRatio");
     std::vector<double> errors;
     std::vector<double> variances;
@@ -87,11 +132,11 @@ RatioEstimate errorVarianceRatio(std::span<const MomentSummary> image,
         variances.push_back(image[i].variance / image[i].count +
                             reference[i].variance / reference[i].count);
     }
-    return ratioOfSums(errors, variances, channels);
+    return ratioOfSums(errors, variances, places);
 }
 
 RatioEstimate varianceRatio(std::span<const MomentSummary> image,
-                            std::span<const MomentSummary> reference, std::size_t channels) {
+                            std::span<const MomentSummary> reference, const RatioPlaces &places) {
     requireShape(image.size() == reference.size(), "varianceRatio");
     std::vector<double> numerators;
     std::vector<double> denominators;
@@ -99,7 +144,7 @@ RatioEstimate varianceRatio(std::span<const MomentSummary> image,
         numerators.push_back(image[i].variance);
         denominators.push_back(reference[i].variance);
     }
-    return ratioOfSums(numerators, denominators, channels);
+    return ratioOfSums(numerators, denominators, places);
 }
 
 } // namespace statistics

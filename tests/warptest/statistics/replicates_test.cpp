@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPlaces = 1024;
 constexpr int kSamples = 64;
-/// Two-sided level 1e-6.
+constexpr double kLevel = 1e-6;
 constexpr double kLimit = 4.9;
 
 /// Skewed samples (of an exponential law) whose mean differs from place to place.
@@ -43,7 +43,7 @@ std::vector<std::vector<MomentSummary>> replicates(double again) {
 
 TEST(Replicates, IndependentSamplesVaryBetweenAsWithin) {
     const RatioEstimate found = betweenWithinRatio(replicates(0));
-    EXPECT_LT(std::fabs(found.ratio - 1), kLimit * found.standardError);
+    EXPECT_NEAR(found.ratio, 1, kLimit * found.standardError);
     EXPECT_LT(found.standardError, 0.03); // sqrt(2 / (7 1024)) = 1.7 %, and unequal places
 }
 
@@ -51,23 +51,23 @@ TEST(Replicates, IndependentSamplesVaryBetweenAsWithin) {
 // that the ratio becomes 1 + (64 - 1) / 100.
 TEST(Replicates, NumbersUsedAgainAreFound) {
     const RatioEstimate found = betweenWithinRatio(replicates(0.1));
-    EXPECT_TRUE(found.differsFromOne(0.1, kLimit)) << found.ratio;
+    EXPECT_GT(found.ratio - 1, kLimit * found.standardError);
     EXPECT_NEAR(found.ratio, 1.64, 0.2);
 }
 
 TEST(Replicates, TheErrorIsWhatTheVarianceSays) {
     const RatioEstimate right = errorVarianceRatio(image(1), image(2));
-    EXPECT_LT(std::fabs(right.ratio - 1), kLimit * right.standardError);
+    EXPECT_NEAR(right.ratio, 1, kLimit * right.standardError);
     const RatioEstimate copied = errorVarianceRatio(image(1), image(1));
-    EXPECT_TRUE(copied.differsFromOne(0.5, kLimit)) << copied.ratio;
+    EXPECT_EQ(copied.ratio, 0.0);
     const RatioEstimate biased = errorVarianceRatio(image(1, 0, 1.2), image(2));
-    EXPECT_TRUE(biased.differsFromOne(0.5, kLimit)) << biased.ratio;
+    EXPECT_GT(biased.ratio - 1, kLimit * biased.standardError);
 }
 
 TEST(Replicates, VarianceGoesWithTheSquareOfTheScale) {
     const RatioEstimate found = varianceRatio(image(1, 0, 1.5), image(2));
     EXPECT_NEAR(found.ratio, 2.25, kLimit * found.standardError);
-    EXPECT_TRUE(found.differsFromOne(0.5, kLimit));
+    EXPECT_GT(found.ratio - 1, kLimit * found.standardError);
 }
 
 // The same number three times tells nothing more than once.
@@ -80,16 +80,48 @@ TEST(Replicates, ChannelsOfAPlaceAreNoEvidenceOfTheirOwn) {
         grey[1].insert(grey[1].end(), 3, b[i]);
     }
     const RatioEstimate one = errorVarianceRatio(a, b);
-    const RatioEstimate three = errorVarianceRatio(grey[0], grey[1], 3);
+    const RatioEstimate three = errorVarianceRatio(grey[0], grey[1], {.channels = 3});
     EXPECT_NEAR(three.ratio, one.ratio, 1e-12);
     EXPECT_NEAR(three.standardError, one.standardError, 1e-12);
+}
+
+// One place with all of the noise leaves an equally weighted sum of squares with one degree of
+// freedom; with weights it is one of many.
+TEST(Replicates, TheCommonErrorIsTheBiasAndNothingElse) {
+    const std::vector<MomentSummary> references[] = {image(11), image(12)};
+    const auto common = [&](const std::vector<MomentSummary> &a,
+                            const std::vector<MomentSummary> &b) {
+        const ImagePair pair = {a, references[0], b, references[1]};
+        return commonError({&pair, 1});
+    };
+    EXPECT_GT(common(image(1), image(2)).pValue, kLevel);
+    // 10 % off: the squared bias is 0.01 times the mean square of 0.5, ..., 6.5: 16.25.
+    const CommonError biased = common(image(1, 0, 1.1), image(2, 0, 1.1));
+    EXPECT_LT(biased.pValue, kLevel);
+    EXPECT_NEAR(biased.meanSquare, 0.1625, kLimit * biased.standardError);
+    EXPECT_LT(common(image(1), image(1)).pValue, kLevel) << "the same noise twice";
+}
+
+TEST(Replicates, WeightsKeepOneNoisyPlaceFromDecidingAlone) {
+    std::vector<MomentSummary> a = image(1);
+    std::vector<MomentSummary> b = image(2);
+    for (auto *side : {&a, &b}) {
+        (*side)[5].variance *= 1e6;
+        (*side)[5].mean *= 1e3;
+    }
+    const std::vector<double> weights = noiseWeights(b);
+    const RatioEstimate weighted = errorVarianceRatio(a, b, {.weights = weights});
+    EXPECT_LT(weighted.standardError, 0.2);
+    const double difference = a[5].mean - b[5].mean;
+    const double alone = difference * difference / ((a[5].variance + b[5].variance) / kSamples);
+    EXPECT_NEAR(errorVarianceRatio(a, b).ratio, alone, 0.02) << "that place decides";
 }
 
 TEST(Replicates, NothingOverNothingIsRight) {
     const std::vector<MomentSummary> black(4, MomentSummary{2, 0, 0, 0});
     EXPECT_EQ(errorVarianceRatio(black, black).ratio, 1.0);
     const std::vector<MomentSummary> grey(4, MomentSummary{2, 1, 0, 0});
-    EXPECT_TRUE(errorVarianceRatio(grey, black).differsFromOne(0.5, kLimit));
+    EXPECT_TRUE(std::isinf(errorVarianceRatio(grey, black).ratio));
 }
 
 TEST(Replicates, ShapesHaveToAgree) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+#include "runs.h"
+
+namespace {
+
+struct Options {
+    int runs = 2000;
+    int judgements = 30;
+    std::uint64_t seed = 1;
+    bool power = false;
+};
+
+/// \return  the exit code
+int calibrate(int argc, char **argv) {
+    Options options;
+    CLI::App app(
+        "Calibrates the scene-level statistics of the grader, in this process, on samples of\n"
+        "our own renderer recorded once per scene of scenes/grading.\n"
+        "Exit code: 0 as it must be, 1 not, 2 the runs could not be made.",
+        "calibrate");
+    app.add_option("--runs", options.runs, "Runs of each statistic per scene")
+        ->check(CLI::Range(10, 1000000))
+        ->capture_default_str();
+    app.add_option("--seed", options.seed, "Of scenes and runs")->capture_default_str();
+    app.add_flag("--power", options.power,
+                 "Plant mistakes and see how often they are found, instead of the null");
+    app.add_option("--judgements", options.judgements,
+                   "With --power: whole judgements per mistake; each takes about a second")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    const bool good = options.power
+                          ? calibration::runPower(options.runs, options.judgements, options.seed)
+                          : calibration::runNull(options.runs, options.seed);
+    return good ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    try {
+        return calibrate(argc, argv);
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "calibrate: %s\n", error.what());
+        return 2;
+    }
+}
