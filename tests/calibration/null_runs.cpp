@@ -49,7 +49,8 @@ double twoSided(double z) {
 /// p-values of one statistic over the runs.
 struct Series {
     std::vector<double> values;
-    int beyondGate = 0; ///< runs in which the statistic would not be used
+    int beyondGate = 0;        ///< runs in which the statistic would not be used
+    bool conservative = false; ///< may reject less often than its level says
 };
 
 using Table = std::map<std::string, Series>;
@@ -112,15 +113,19 @@ Table measure(const Recording &recording, int runs, statistics::Random &random) 
             {images[0], references[0], images[1], references[1]},
             {images[2], references[2], images[3], references[3]},
         }};
-        table["common error"].values.push_back(
+        // A self-normalised sum of symmetric numbers with heavy tails: never above its level.
+        Series &common = table["common error"];
+        common.conservative = true;
+        common.values.push_back(
             statistics::commonError(pairs, {.channels = 3, .weights = weights}).pValue);
     }
     return table;
 }
 
-bool contains(std::size_t count, std::size_t runs, double level) {
+/// Whether `count` of `runs` agrees with `level`.
+bool agrees(std::size_t count, std::size_t runs, double level, bool conservative) {
     const statistics::Interval interval = statistics::clopperPearson(count, runs, 1e-3);
-    return interval.lower <= level && level <= interval.upper;
+    return interval.lower <= level && (conservative || level <= interval.upper);
 }
 
 bool report(const std::string &scene, const Table &table) {
@@ -137,8 +142,9 @@ bool report(const std::string &scene, const Table &table) {
                 series.values.begin(), series.values.end(), [=](double p) { return p <= level; }));
         };
         const double ks = kolmogorovSmirnov(series.values);
-        const bool fits =
-            ks >= kLeast && contains(below(1e-2), runs, 1e-2) && contains(below(1e-3), runs, 1e-3);
+        const bool fits = (series.conservative || ks >= kLeast) &&
+                          agrees(below(1e-2), runs, 1e-2, series.conservative) &&
+                          agrees(below(1e-3), runs, 1e-3, series.conservative);
         good = good && fits;
         fmt::print("{:<7} {:<32} {:>6} {:>6} {:>8.4f} {:>5} ({:>5.1f}) {:>5} ({:>5.1f})  {}\n",
                    scene, name, runs, series.beyondGate, ks, below(1e-2),
