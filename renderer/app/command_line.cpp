@@ -26,7 +26,7 @@ std::string parseSize(const std::string &text, CommandLine &line) {
 
 constexpr char kFooter[] =
     R"(Writes SCENE_SPP.exr and SCENE_SPP.png beside the scene, or STEM.exr and STEM.png.
-The header of the .exr says spp, seed, integrator, version and render time.
+The header of the .exr says spp, seed, integrator, version, render and CPU time.
 With --moments the .exr has more layers, per pixel and of the unfiltered samples: count.Y, and
 mean.R/G/B, variance.R/G/B and third.R/G/B (third central moment).
 

@@ -113,6 +113,7 @@ int run(const CommandLine &line) {
     const std::string stem = stemOf(line, samplesPerPixel);
     requireWritable(stem);
 
+    const std::clock_t startCpu = std::clock();
     const auto start = std::chrono::steady_clock::now();
     nori::RenderResult result;
     {
@@ -124,6 +125,8 @@ int run(const CommandLine &line) {
     }
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double cpuSeconds =
+        static_cast<double>(std::clock() - startCpu) / static_cast<double>(CLOCKS_PER_SEC);
     warnAboutImage(result, *scene);
     writeImage(result, stem,
                {{"spp", std::to_string(result.samplesPerPixel)},
@@ -131,6 +134,7 @@ int run(const CommandLine &line) {
                 {"integrator", className(*scene->getIntegrator())},
                 {"version", std::string("nori ") + kNoriVersion},
                 {"renderSeconds", fmt::format("{:.3f}", seconds)},
+                {"cpuSeconds", fmt::format("{:.3f}", cpuSeconds)},
                 {"partial", result.complete ? "no" : "yes"},
                 {"comments", "Rendered by nori, part of norigrade"}});
     if (!line.quiet)

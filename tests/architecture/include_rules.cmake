@@ -13,9 +13,10 @@ set(ALLOWED
     "warptest/app/viewer:viewer,window,battery,catalog,statistics"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"
+    "grading/plot:plot"
     "grading/decoder:decoder,protocol"
-    "grading/grader:grader,protocol,battery,catalog,statistics")
-set(OURS "battery|catalog|decoder|grader|nori|probe|protocol|statistics|viewer|window")
+    "grading/grader:grader,plot,protocol,battery,catalog,statistics")
+set(OURS "battery|catalog|decoder|grader|nori|plot|probe|protocol|statistics|viewer|window")
 
 foreach(row IN LISTS ALLOWED)
     string(REGEX MATCH "^([^:]+):(.+)$" _ ${row})

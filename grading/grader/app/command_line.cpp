@@ -68,6 +68,15 @@ Examples:
 A verdict needs moments: render with `nori --moments`, each image with a seed of its own.
 Exit codes: 0 alike, 1 different, 3 cannot tell, 2 a file cannot be compared.)";
 
+constexpr char kConvergeExamples[] = R"(
+Examples:
+  norigrade converge cbox_ems.xml --integrator direct_ems,direct_mats,direct_mis
+  norigrade converge serapis_ems.xml serapis_ems_power.xml --spp 1,4,16,64,256 --out power
+  norigrade converge cbox_ems.xml --reference a.exr b.exr --json
+
+The images stay in the folder of --out: a second call renders only what is missing.
+Exit codes: 0 every slope is -1/2, 1 one is not, 3 cannot tell, 75 interrupted.)";
+
 constexpr char kReferencesExamples[] = R"(
 Renders what is not there yet or whose scene has changed; an interrupted call is resumed by the next.
 --verify renders nothing into the folder: it renders each scene by two other algorithms (sampling the
@@ -153,6 +162,43 @@ const CLI::App *addCompare(CLI::App &program, CompareCommand &command) {
         ->type_name("FILE");
     verb->add_flag("--json", command.json, "Print JSON with every tile");
     verb->footer(kCompareExamples);
+    return verb;
+}
+
+const CLI::App *addConverge(CLI::App &program, ConvergeCommand &command) {
+    constexpr int kMostReplicates = 1000;
+    constexpr int kMostSamples = 1 << 20;
+    constexpr int kWidest = 10'000;
+    CLI::App *verb = program.add_subcommand(
+        "converge", "Measure how the error of renders falls, and what a sample costs");
+    verb->add_option("SCENE", command.scenes, "Scene files")->required()->type_name("");
+    verb->add_option("--integrator", command.integrators,
+                     "Integrators, with commas between (default: each scene's own)")
+        ->delimiter(',')
+        ->type_name("NAME");
+    verb->add_option("--spp", command.samples, "Samples per pixel (default: 1,4,16,64)")
+        ->delimiter(',')
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostSamples));
+    verb->add_option("--replicates", command.replicates, "Independent renders of each (default: 8)")
+        ->type_name("K")
+        ->check(CLI::Range(2, kMostReplicates));
+    verb->add_option("--width", command.width, "Of the images, in pixels (default: 160)")
+        ->type_name("N")
+        ->check(CLI::Range(1, kWidest));
+    verb->add_option("--reference", command.references,
+                     "Two independent halves of the scene's reference (default: rendered here, "
+                     "with 4 times the most samples)")
+        ->expected(2)
+        ->type_name("FILE");
+    verb->add_option("--out", command.out,
+                     "Folder for images, table and plots (default: norigrade-convergence)")
+        ->type_name("DIR");
+    verb->add_option("--seed", command.seed, "Other digits, other random numbers (default: 1)")
+        ->type_name("HEX")
+        ->check(requireHex);
+    verb->add_flag("--json", command.json, "Print convergence.json instead of the table");
+    verb->footer(kConvergeExamples);
     return verb;
 }
 
@@ -251,14 +297,16 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
 
     CompareCommand compare;
     const CLI::App *compareVerb = addCompare(program, compare);
+    ConvergeCommand converge;
+    const CLI::App *convergeVerb = addConverge(program, converge);
     ReferencesCommand references;
     const CLI::App *referencesVerb = addReferences(program, references);
 
     if (arguments.empty())
         return PrintCommand{program.help()};
     if (arguments.front().rfind('-', 0) != 0) {
-        const std::vector<std::string> verbs = {"grade",   "check",   "doctor",    "lint",
-                                                "starter", "compare", "references"};
+        const std::vector<std::string> verbs = {"grade",   "check",   "doctor",   "lint",
+                                                "starter", "compare", "converge", "references"};
         if (std::find(verbs.begin(), verbs.end(), arguments.front()) == verbs.end())
             return UsageMistake{fmt::format("there is no verb \"{}\"{}", arguments.front(),
                                             suggestion(arguments.front(), verbs))};
@@ -284,6 +332,8 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
         return lint;
     if (starterVerb->parsed())
         return starter;
+    if (convergeVerb->parsed())
+        return converge;
     if (compareVerb->parsed())
         return checked(compare);
     if (referencesVerb->parsed())

@@ -48,6 +48,19 @@ struct ReferencesCommand {
     bool verify = false;
 };
 
+/// How fast renders of scenes converge.
+struct ConvergeCommand {
+    std::vector<std::filesystem::path> scenes;
+    std::vector<std::string> integrators; ///< empty: each scene's own
+    std::vector<int> samples{1, 4, 16, 64};
+    int replicates = 8;
+    int width = 160;
+    std::vector<std::filesystem::path> references; ///< none, or two independent halves
+    std::filesystem::path out = "norigrade-convergence";
+    std::string seed = "1"; ///< the same one, so that a second call goes on
+    bool json = false;
+};
+
 /// `--help` and `--version`: nothing to do but to print it.
 struct PrintCommand {
     std::string text;
@@ -58,8 +71,9 @@ struct UsageMistake {
     std::string message;
 };
 
-using Command = std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand,
-                             CompareCommand, ReferencesCommand, PrintCommand, UsageMistake>;
+using Command =
+    std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand, CompareCommand,
+                 ConvergeCommand, ReferencesCommand, PrintCommand, UsageMistake>;
 
 /// \param arguments  without the program's name
 Command parseCommandLine(const std::vector<std::string> &arguments);

@@ -11,6 +11,7 @@ ExitCode run(const GradeCommand &command);
 ExitCode run(const DoctorCommand &command);
 ExitCode run(const LintCommand &command);
 ExitCode run(const StarterCommand &command);
+ExitCode run(const ConvergeCommand &command);
 ExitCode run(const CompareCommand &command);
 ExitCode run(const ReferencesCommand &command);
 ExitCode run(const PrintCommand &command);

@@ -136,5 +136,26 @@ TEST(CommandLine, ReadsCompareWithOneReferenceOrTwoHalves) {
     EXPECT_NE(mistake({"compare", "a.exr", "b.exr", "--level", "2"}), "no mistake");
 }
 
+TEST(CommandLine, ReadsConvergeWithLists) {
+    const auto converge = [](const Arguments &arguments) {
+        return std::get<ConvergeCommand>(parseCommandLine(arguments));
+    };
+    const ConvergeCommand command =
+        converge({"converge", "a.xml", "b.xml", "--integrator", "direct_ems,direct_mis", "--spp",
+                  "1,8", "--replicates", "3", "--width", "99", "--out", "o", "--seed", "2a"});
+    EXPECT_EQ(command.scenes, (std::vector<std::filesystem::path>{"a.xml", "b.xml"}));
+    EXPECT_EQ(command.integrators, (std::vector<std::string>{"direct_ems", "direct_mis"}));
+    EXPECT_EQ(command.samples, (std::vector<int>{1, 8}));
+    EXPECT_EQ(command.replicates, 3);
+    EXPECT_EQ(command.width, 99);
+    EXPECT_EQ(command.out, "o");
+    EXPECT_EQ(command.seed, "2a");
+    EXPECT_EQ(converge({"converge", "a.xml"}).samples, (std::vector<int>{1, 4, 16, 64}));
+    EXPECT_NE(mistake({"converge"}), "no mistake");
+    EXPECT_NE(mistake({"converge", "a.xml", "--reference", "a.exr"}), "no mistake");
+    EXPECT_NE(mistake({"converge", "a.xml", "--replicates", "1"}), "no mistake");
+    EXPECT_NE(mistake({"converge", "a.xml", "--spp", "0"}), "no mistake");
+}
+
 } // namespace
 } // namespace grader

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "plot.h"
+
+#include <fmt/format.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+
+namespace plot {
+
+namespace {
+
+/// Okabe and Ito's colours, which also the colour-blind tell apart, without those that are too pale
+/// for a white page or too dark for a black one.
+constexpr const char *kColors[] = {"#0072B2", "#D55E00", "#009E73",
+                                   "#CC79A7", "#E69F00", "#56B4E9"};
+constexpr int kMarks[] = {7, 5, 9, 13, 6, 4};
+constexpr const char *kDashes[] = {"1", "2", "4", "5", "3", "6"};
+
+struct Terminal {
+    const char *suffix;
+    const char *options;
+};
+
+constexpr Terminal kTerminals[] = {
+    {".svg", "svg noenhanced size 720,480 dynamic font 'sans-serif,14'"},
+    {".pdf", "pdfcairo noenhanced size 6in,4in font 'sans,11'"},
+    {".png", "pngcairo noenhanced size 1440,960 font 'sans,22' linewidth 2"}};
+
+/// A string of gnuplot: within single quotes only they themselves are special.
+std::string quoted(const std::string &text) {
+    std::string result = "'";
+    for (const char c : text) {
+        if (c == '\'')
+            result += "''";
+        else
+            result += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return result + "'";
+}
+
+std::string dataOf(const LogLogPlot &plot) {
+    std::string text = "# x y low high; a block per series, in the order of the script\n";
+    for (const Series &series : plot.series) {
+        for (const Point &point : series.points)
+            text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low,
+                                point.high);
+        text += "\n\n";
+    }
+    return text;
+}
+
+std::string scriptOf(const LogLogPlot &plot, const std::string &data) {
+    std::string text = "# gnuplot -e \"set terminal pngcairo; set output 'plot.png'\" THIS\n";
+    text +=
+        "set encoding utf8\nset logscale xy\nset grid back linewidth 0.5\nset key outside "
+        "bottom center horizontal height 1\nset border 3\nset tics nomirror\nset format y '%g'\n";
+    double least = 0.0;
+    double most = 0.0;
+    for (const Series &series : plot.series) {
+        for (const Point &point : series.points) {
+            least = least == 0.0 ? point.x : std::min(least, point.x);
+            most = std::max(most, point.x);
+        }
+    }
+    constexpr double kMargin = 1.25; // so that no mark stands on an axis
+    text += fmt::format("set xrange [{:.9g}:{:.9g}]\n", least / kMargin, most * kMargin);
+    text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(plot.title),
+                        quoted(plot.xLabel), quoted(plot.yLabel));
+    std::string parts;
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+        const char *const color = kColors[i % std::size(kColors)];
+        parts += fmt::format("  {0} index {1} using 1:3:4 with filledcurves fillcolor rgb '{2}' "
+                             "fillstyle transparent solid 0.2 noborder notitle, \\\n"
+                             "  {0} index {1} using 1:2:3:4 with yerrorlines linecolor rgb '{2}' "
+                             "dashtype {3} pointtype {4} linewidth 1.5 title {5}",
+                             quoted(data), i, color, kDashes[i % std::size(kDashes)],
+                             kMarks[i % std::size(kMarks)], quoted(plot.series[i].label));
+        parts += i + 1 < plot.series.size() ? ", \\\n" : "";
+    }
+    if (plot.guideSlope != 0.0 && !plot.series.empty() && !plot.series.front().points.empty()) {
+        const Point &start = plot.series.front().points.front();
+        parts += fmt::format(", \\\n  {:.9g} * (x / {:.9g}) ** {:g} with lines linecolor rgb "
+                             "'#808080' linewidth 1 dashtype 3 title 'slope {:g}'",
+                             start.y, start.x, plot.guideSlope, plot.guideSlope);
+    }
+    return text + "plot \\\n" + parts + '\n';
+}
+
+void write(const std::filesystem::path &file, const std::string &text) {
+    std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.close();
+    if (!stream)
+        throw PlotError(fmt::format("{}: cannot be written", file.string()));
+}
+
+std::string read(const std::filesystem::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Runs gnuplot in `folder` on commands given as an argument and a script there.
+/// \return  what it complains of; empty if it does not
+std::string gnuplot(const std::filesystem::path &folder, const std::string &commands,
+                    const std::string &script) {
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0)
+        throw PlotError("too many files are open");
+    const pid_t process = ::fork();
+    if (process < 0)
+        throw PlotError("gnuplot cannot be started: too many processes");
+    if (process == 0) {
+        ::dup2(pipe[1], STDERR_FILENO);
+        ::dup2(pipe[1], STDOUT_FILENO);
+        ::close(pipe[0]);
+        ::close(pipe[1]);
+        if (::chdir(folder.c_str()) == 0)
+            ::execlp("gnuplot", "gnuplot", "-e", commands.c_str(), script.c_str(), nullptr);
+        ::_exit(127);
+    }
+    ::close(pipe[1]);
+    std::string log;
+    std::array<char, 4096> block{};
+    for (ssize_t count = 1; count != 0;) {
+        count = ::read(pipe[0], block.data(), block.size());
+        if (count > 0)
+            log.append(block.data(), static_cast<std::size_t>(count));
+        else if (count < 0 && errno != EINTR)
+            break;
+    }
+    ::close(pipe[0]);
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+        throw PlotError("gnuplot cannot be run: install the package gnuplot-nox");
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::string() : "gnuplot failed: " + log;
+}
+
+/// Black becomes the colour of the page's text.
+std::string adaptive(std::string svg) {
+    for (const std::string black : {"\"black\"", "\"rgb(  0,   0,   0)\"", "\"rgb(0,0,0)\""}) {
+        for (std::size_t at = 0; (at = svg.find(black, at)) != std::string::npos;)
+            svg.replace(at, black.size(), "\"currentColor\"");
+    }
+    const std::size_t end = svg.find('>', svg.find("<svg"));
+    if (end != std::string::npos)
+        svg.insert(end + 1, "\n<style>:root { color: #222 } @media (prefers-color-scheme: dark) "
+                            "{ :root { color: #ddd } }</style>");
+    return svg;
+}
+
+} // namespace
+
+void writePlot(const LogLogPlot &plot, const std::filesystem::path &stem) {
+    const std::string name = stem.filename().string();
+    const std::filesystem::path folder = stem.has_parent_path() ? stem.parent_path() : ".";
+    write(folder / (name + ".dat"), dataOf(plot));
+    write(folder / (name + ".gp"), scriptOf(plot, name + ".dat"));
+    for (const Terminal &terminal : kTerminals) {
+        const std::string output = name + terminal.suffix;
+        const std::string failure = gnuplot(
+            folder, fmt::format("set terminal {}; set output {}", terminal.options, quoted(output)),
+            name + ".gp");
+        if (!failure.empty())
+            throw PlotError(failure);
+    }
+    const std::filesystem::path svg = folder / (name + ".svg");
+    write(svg, adaptive(read(svg)));
+}
+
+} // namespace plot
