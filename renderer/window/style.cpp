@@ -83,6 +83,21 @@ const Palette &palette() {
     return current();
 }
 
+ImFont *addFont(ImFontAtlas &fonts, float scale, int oversampling) {
+    ImFontConfig config;
+    config.SizePixels = kFontSize * scale;
+    config.OversampleH = oversampling;
+    config.PixelSnapH = oversampling == 1;
+    for (const char *file : kFonts) {
+        if (!std::filesystem::exists(file))
+            continue;
+        ImFont *const font = fonts.AddFontFromFileTTF(file, kFontSize * scale, &config, kGlyphs);
+        if (font != nullptr)
+            return font;
+    }
+    return fonts.AddFontDefault(&config);
+}
+
 void setStyle(Theme theme, float scale) {
     current() = makePalette(theme);
     ImGuiStyle &style = ImGui::GetStyle();
@@ -97,14 +112,7 @@ void setStyle(Theme theme, float scale) {
 
     ImFontAtlas &fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
-    for (const char *file : kFonts) {
-        if (std::filesystem::exists(file) &&
-            fonts.AddFontFromFileTTF(file, kFontSize * scale, nullptr, kGlyphs) != nullptr)
-            return;
-    }
-    ImFontConfig config;
-    config.SizePixels = kFontSize * scale;
-    fonts.AddFontDefault(&config);
+    addFont(fonts, scale, 2);
 }
 
 } // namespace window

@@ -20,8 +20,12 @@ struct Palette {
 /// Of the theme that was set last.
 const Palette &palette();
 
-/// Sets the colours and sizes of ImGui's current context and fills its font atlas: DejaVu Sans,
-/// or ImGui's own font, which holds no accents, if it is not installed.
+/// Adds the windows' font to an atlas: DejaVu Sans, or ImGui's own, which holds no accents, if that
+/// is not installed.
+/// \param oversampling  columns of the atlas for one pixel
+ImFont *addFont(ImFontAtlas &fonts, float scale, int oversampling);
+
+/// Sets the colours and sizes of ImGui's current context and fills its font atlas.
 void setStyle(Theme theme, float scale);
 
 } // namespace window

@@ -10,13 +10,14 @@ set(ALLOWED
     "warptest/statistics:statistics"
     "warptest/catalog:catalog"
     "warptest/battery:battery,catalog,statistics"
-    "warptest/app/viewer:viewer,window,battery,catalog,statistics"
+    "warptest/bindings:bindings,battery,nori"
+    "warptest/app:viewer,window,bindings,battery,catalog,statistics"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"
     "grading/plot:plot"
     "grading/decoder:decoder,protocol"
     "grading/grader:grader,plot,protocol,battery,catalog,statistics")
-set(OURS "battery|catalog|decoder|grader|nori|plot|probe|protocol|statistics|viewer|window")
+set(OURS "battery|bindings|catalog|decoder|grader|nori|plot|probe|protocol|statistics|viewer|window")
 
 foreach(row IN LISTS ALLOWED)
     string(REGEX MATCH "^([^:]+):(.+)$" _ ${row})

@@ -19,6 +19,11 @@ const char *label(Status status) {
     return "○ not run";
 }
 
+double defaultParameter(const catalog::WarpEntry &truth) {
+    constexpr double kStock = 0.1;
+    return truth.hasParameter ? kStock : truth.parameters.front();
+}
+
 Maps drawMaps(const Subject &subject, const Settings &settings) {
     const std::vector<battery::Input> inputs = battery::randomInputs(kMapPoints, settings.seed);
     return makeMaps(*subject.truth, settings.parameter, subject.warp(inputs, settings.parameter));

@@ -47,8 +47,8 @@ struct TestControl {
 struct Actions {
     /// Runs the whole battery. May throw: the window shows what().
     std::function<TestReport(const Subject &, const Settings &, const TestControl &)> test;
-    /// Writes the evidence of these settings. \return  what was written, for the status line
-    std::function<std::string(const Subject &, const Settings &)> save;
+    /// Writes the evidence of a test. \return  what was written, for the status line
+    std::function<std::string(const Subject &, const TestReport &)> save;
 };
 
 /// Independent points for the maps of a report: the battery's own samples are not kept.

@@ -20,4 +20,7 @@ struct Subject {
     std::function<std::vector<float>(std::span<const battery::Output>, double a)> density;
 };
 
+/// What a window shows first and the evidence is of: the stock tool's 0.1, where there is one.
+double defaultParameter(const catalog::WarpEntry &truth);
+
 } // namespace viewer

@@ -44,9 +44,11 @@ void drawHealth(const std::vector<HealthRow> &rows) {
                                                ImGuiTableFlags_SizingStretchProp)) {
         return;
     }
-    for (const char *title : {"Health", "found", "expected", ""}) {
+    for (const char *title : {"Health", "found", "expected"}) {
         ImGui::TableSetupColumn(title);
     }
+    ImGui::TableSetupColumn("##verdict", ImGuiTableColumnFlags_WidthFixed,
+                            ImGui::CalcTextSize(label(Status::Check)).x);
     ImGui::TableHeadersRow();
     for (const HealthRow &row : rows) {
         ImGui::TableNextRow();

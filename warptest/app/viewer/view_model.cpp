@@ -26,7 +26,7 @@ ViewModel::ViewModel(std::vector<Subject> subjects, Actions actions, Settings se
       m_settings(clamped(settings, m_subjects.size())),
       m_runner(std::move(actions), std::move(wake)) {
     if (settings.parameter <= 0.0) {
-        m_settings.parameter = subject().truth->parameters.front();
+        m_settings.parameter = defaultParameter(*subject().truth);
     }
 }
 
@@ -44,7 +44,7 @@ void ViewModel::change(const Settings &settings) {
 void ViewModel::chooseWarp(std::size_t warp) {
     Settings settings = m_settings;
     settings.warp = warp % m_subjects.size();
-    settings.parameter = m_subjects[settings.warp].truth->parameters.front();
+    settings.parameter = defaultParameter(*m_subjects[settings.warp].truth);
     change(settings);
 }
 
@@ -94,7 +94,7 @@ Job ViewModel::job(std::size_t warp, Job::Kind kind) const {
     job.settings = m_settings;
     job.settings.warp = warp;
     if (warp != m_settings.warp) {
-        job.settings.parameter = m_subjects[warp].truth->parameters.front();
+        job.settings.parameter = defaultParameter(*m_subjects[warp].truth);
     }
     return job;
 }

@@ -34,7 +34,7 @@ public:
     /// Takes over the settings, in their ranges. Another warp ends the brushing.
     void change(const Settings &settings);
 
-    /// Chooses a warp (modulo their number) with its own first parameter.
+    /// Chooses a warp (modulo their number) with its default parameter.
     void chooseWarp(std::size_t warp);
 
     /// The points of the settings, drawn anew when those have changed.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include <viewer/report_json.h>
+
+namespace viewer {
+
+namespace {
+
+const char *word(Status status) {
+    switch (status) {
+    case Status::Pass:
+        return "pass";
+    case Status::Fail:
+        return "fail";
+    case Status::Check:
+        return "inconclusive";
+    case Status::NotRun:
+        break;
+    }
+    return "not run";
+}
+
+} // namespace
+
+std::string reportJson(const Subject &subject, const TestReport &report) {
+    nlohmann::ordered_json json;
+    json["warp"] = subject.truth->id;
+    if (subject.truth->hasParameter) {
+        json["parameter"] = report.settings.parameter;
+    }
+    json["seed"] = report.settings.seed;
+    json["verdict"] = word(report.verdict);
+    json["summary"] = report.headline;
+    json["error"] = report.error;
+    json["health"] = nlohmann::ordered_json::array();
+    for (const HealthRow &row : report.health) {
+        json["health"].push_back({{"name", row.name},
+                                  {"found", row.value},
+                                  {"expected", row.expected},
+                                  {"verdict", word(row.status)}});
+    }
+    json["remarks"] = report.remarks;
+    json["power"] = report.power;
+    json["observed"] = report.maps.observed;
+    json["expected"] = report.maps.expected;
+    return json.dump();
+}
+
+std::string documentJson(const std::vector<std::string> &reports) {
+    nlohmann::ordered_json json;
+    json["schema"] = "warptest";
+    json["version"] = 1;
+    json["tests"] = nlohmann::ordered_json::array();
+    for (const std::string &report : reports) {
+        json["tests"].push_back(nlohmann::ordered_json::parse(report));
+    }
+    return json.dump(1) + "\n";
+}
+
+} // namespace viewer

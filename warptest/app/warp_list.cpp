@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "warp_list.h"
+
+#include <battery/records.h>
+#include <catalog/density_mistakes.h>
+#include <catalog/warp_catalog.h>
+#include <catalog/warp_mistakes.h>
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include <bindings/warp_bindings.h>
+
+namespace {
+
+viewer::Subject rendererWarp(const catalog::WarpEntry &truth) {
+    viewer::Subject subject;
+    subject.truth = &truth;
+    subject.name = truth.id;
+    subject.warp = [id = truth.id](std::span<const battery::Input> inputs, double a) {
+        return bindings::callWarp(id, inputs, a);
+    };
+    subject.density = [id = truth.id](std::span<const battery::Output> points, double a) {
+        return bindings::callDensity(id, points, a);
+    };
+    return subject;
+}
+
+} // namespace
+
+std::vector<viewer::Subject> rendererWarps() {
+    std::vector<viewer::Subject> subjects;
+    for (const catalog::WarpEntry &truth : catalog::warpCatalog()) {
+        subjects.push_back(rendererWarp(truth));
+    }
+    return subjects;
+}
+
+std::vector<viewer::Subject> mistakenWarps() {
+    std::vector<viewer::Subject> subjects;
+    for (const catalog::WarpMistake &mistake : catalog::warpMistakes()) {
+        viewer::Subject subject = rendererWarp(catalog::requireWarp(mistake.warpId));
+        subject.name = fmt::format("{}, wrong: {}", mistake.warpId, mistake.id);
+        subject.warp = [warp = mistake.warp](std::span<const battery::Input> inputs, double a) {
+            std::vector<battery::Output> outputs;
+            outputs.reserve(inputs.size());
+            for (const battery::Input &input : inputs) {
+                outputs.push_back(battery::toOutput(
+                    warp({static_cast<double>(input.u), static_cast<double>(input.v)}, a)));
+            }
+            return outputs;
+        };
+        subjects.push_back(std::move(subject));
+    }
+    for (const catalog::DensityMistake &mistake : catalog::densityMistakes()) {
+        viewer::Subject subject = rendererWarp(catalog::requireWarp(mistake.warpId));
+        subject.name = fmt::format("{}, wrong pdf: {}", mistake.warpId, mistake.id);
+        subject.density = [density = mistake.density](std::span<const battery::Output> points,
+                                                      double a) {
+            std::vector<float> densities;
+            densities.reserve(points.size());
+            for (const battery::Output &point : points) {
+                densities.push_back(static_cast<float>(density(battery::toPoint(point), a)));
+            }
+            return densities;
+        };
+        subjects.push_back(std::move(subject));
+    }
+    viewer::Subject empty = rendererWarp(catalog::requireWarp("triangle"));
+    empty.name = "triangle, not implemented";
+    empty.warp = [](std::span<const battery::Input>, double) -> std::vector<battery::Output> {
+        throw std::runtime_error("Warp::squareToUniformTriangle() is not implemented yet");
+    };
+    subjects.push_back(std::move(empty));
+    return subjects;
+}
