@@ -2,11 +2,15 @@
 #include <grader/build/base.h>
 #include <grader/build/starter.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
+#include <support/work_folder.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 namespace grader {
 namespace {
@@ -76,6 +80,30 @@ TEST(Starter, HoldsNoSolutionButAllThatIsGiven) {
     }
     EXPECT_EQ(starter.headers.at("nori/scene.h").find("m_emitterPdf"), std::string::npos);
     EXPECT_EQ(starter.headers.at("nori/emitter.h").find("power"), std::string::npos);
+}
+
+/// What a file includes in quotes, from the folder `app`.
+std::set<std::string> quotedIncludes(const std::filesystem::path &file) {
+    std::set<std::string> names;
+    std::istringstream lines(readTextFile(file));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("#include \"", 0) == 0)
+            names.insert(line.substr(10, line.find('"', 10) - 10));
+    }
+    return names;
+}
+
+TEST(Starter, HasOrMakesEveryHeaderOfItsProgram) {
+    const support::WorkFolder folder;
+    writeStarter(folder.path());
+    const std::string lists = readTextFile(folder.path() / "CMakeLists.txt");
+    for (const auto &entry : std::filesystem::directory_iterator(folder.path() / "app")) {
+        for (const std::string &name : quotedIncludes(entry.path())) {
+            const bool isMade = lists.find("configure_file(app/" + name + ".in") != lists.npos;
+            EXPECT_TRUE(isMade || std::filesystem::exists(folder.path() / "app" / name))
+                << entry.path() << ": " << name;
+        }
+    }
 }
 
 TEST(Starter, IsWrittenAsAProjectWithoutGraderOrSolution) {
