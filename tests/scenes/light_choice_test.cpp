@@ -168,7 +168,8 @@ TEST(LightChoice, ChangesTheVarianceOfSevenLightsAsPredicted) {
     ASSERT_EQ(SceneVariant().lightCount(), 7u);
     const Moments uniform = SceneVariant().chooseBy("uniform").render(1);
     const Moments power = SceneVariant().chooseBy("power").render(2);
-    const statistics::RatioEstimate measured = statistics::varianceRatio(uniform, power, kChannels);
+    const statistics::RatioEstimate measured =
+        statistics::varianceRatio(uniform, power, {.channels = kChannels});
 
     const Prediction prediction;
     const double expected =
@@ -181,7 +182,8 @@ TEST(LightChoice, ChangesTheVarianceOfSevenLightsAsPredicted) {
     // The wrong twins: a choice that claims to go by power, but stays uniform, and one by powers
     // that stand beside the wrong lights.
     const double unchanged =
-        statistics::varianceRatio(uniform, SceneVariant().chooseBy("uniform").render(3), kChannels)
+        statistics::varianceRatio(uniform, SceneVariant().chooseBy("uniform").render(3),
+                                  {.channels = kChannels})
             .ratio;
     EXPECT_GT(std::abs(unchanged - expected), kDeviations * measured.standardError);
     std::vector<double> shifted = choiceByPower();
@@ -194,7 +196,8 @@ TEST(LightChoice, ChangesNothingForEqualLights) {
     const char *const colour = "30, 20, 25";
     const Moments uniform = SceneVariant().setRadiances(colour).chooseBy("uniform").render(4);
     const Moments power = SceneVariant().setRadiances(colour).chooseBy("power").render(5);
-    const statistics::RatioEstimate ratio = statistics::varianceRatio(uniform, power, kChannels);
+    const statistics::RatioEstimate ratio =
+        statistics::varianceRatio(uniform, power, {.channels = kChannels});
     EXPECT_NEAR(ratio.ratio, 1.0, kDeviations * ratio.standardError);
     EXPECT_LT(kDeviations * ratio.standardError, 0.05) << "too noisy to tell";
 }

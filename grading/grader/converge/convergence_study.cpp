@@ -138,7 +138,7 @@ private:
 
     void addVariance(const std::vector<std::vector<MomentSummary>> &replicates,
                      Convergence &result) {
-        result.betweenWithin = statistics::betweenWithinRatio(replicates, kChannels);
+        result.betweenWithin = statistics::betweenWithinRatio(replicates, {.channels = kChannels});
         // The replicates' mean variance has the least noise; means are not needed.
         std::vector<MomentSummary> pooled = replicates.front();
         for (std::size_t i = 0; i < pooled.size(); ++i) {
@@ -153,7 +153,7 @@ private:
         if (m_first.empty())
             m_first = pooled;
         else if (m_first.size() == pooled.size())
-            result.gain = statistics::varianceRatio(m_first, pooled, kChannels);
+            result.gain = statistics::varianceRatio(m_first, pooled, {.channels = kChannels});
     }
 
     const ConvergencePlan &m_plan;
