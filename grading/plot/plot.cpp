@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace plot {
 
@@ -58,17 +59,18 @@ std::string dataOf(const LogLogPlot &plot) {
 
 std::string scriptOf(const LogLogPlot &plot, const std::string &data) {
     std::string text = "# gnuplot -e \"set terminal pngcairo; set output 'plot.png'\" THIS\n";
-    text +=
-        "set encoding utf8\nset logscale xy\nset grid back linewidth 0.5\nset key outside "
-        "bottom center horizontal height 1\nset border 3\nset tics nomirror\nset format y '%g'\n";
-    double least = 0.0;
-    double most = 0.0;
+    text += "set encoding utf8\nset logscale xy\nset grid back linewidth 0.5\nset key outside "
+            "bottom center horizontal height 1\nset border 3\nset tics nomirror\nset format x "
+            "'%g'\nset format y '%g'\n";
+    // Every number of samples that was measured is labelled, and nothing else.
+    std::set<double> measured;
     for (const Series &series : plot.series) {
-        for (const Point &point : series.points) {
-            least = least == 0.0 ? point.x : std::min(least, point.x);
-            most = std::max(most, point.x);
-        }
+        for (const Point &point : series.points)
+            measured.insert(point.x);
     }
+    const double least = measured.empty() ? 0.0 : *measured.begin();
+    const double most = measured.empty() ? 0.0 : *measured.rbegin();
+    text += fmt::format("set xtics ({:.9g})\n", fmt::join(measured, ", "));
     constexpr double kMargin = 1.25; // so that no mark stands on an axis
     text += fmt::format("set xrange [{:.9g}:{:.9g}]\n", least / kMargin, most * kMargin);
     text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(plot.title),
@@ -122,7 +124,8 @@ std::string gnuplot(const std::filesystem::path &folder, const std::string &comm
         ::close(pipe[0]);
         ::close(pipe[1]);
         if (::chdir(folder.c_str()) == 0)
-            ::execlp("gnuplot", "gnuplot", "-e", commands.c_str(), script.c_str(), nullptr);
+            ::execlp("gnuplot", "gnuplot", "--default-settings", "-e", commands.c_str(),
+                     script.c_str(), nullptr);
         ::_exit(127);
     }
     ::close(pipe[1]);
@@ -144,16 +147,18 @@ std::string gnuplot(const std::filesystem::path &folder, const std::string &comm
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::string() : "gnuplot failed: " + log;
 }
 
-/// Black becomes the colour of the page's text.
+/// Black becomes the colour of the page's text. gnuplot quotes attributes either way.
 std::string adaptive(std::string svg) {
-    for (const std::string black : {"\"black\"", "\"rgb(  0,   0,   0)\"", "\"rgb(0,0,0)\""}) {
+    for (const std::string black : {"\"black\"", "'black'", "\"rgb(  0,   0,   0)\"",
+                                    "'rgb(  0,   0,   0)'", "\"rgb(0,0,0)\"", "'rgb(0,0,0)'"}) {
         for (std::size_t at = 0; (at = svg.find(black, at)) != std::string::npos;)
             svg.replace(at, black.size(), "\"currentColor\"");
     }
+    // Only an image that stands alone: inside a page `:root` would be the page.
     const std::size_t end = svg.find('>', svg.find("<svg"));
     if (end != std::string::npos)
-        svg.insert(end + 1, "\n<style>:root { color: #222 } @media (prefers-color-scheme: dark) "
-                            "{ :root { color: #ddd } }</style>");
+        svg.insert(end + 1, "\n<style>svg:root { color: #222 } @media (prefers-color-scheme: dark) "
+                            "{ svg:root { color: #ddd } }</style>");
     return svg;
 }
 

@@ -20,6 +20,9 @@ using statistics::MomentSummary;
 
 constexpr int kReferenceFactor = 4;
 constexpr std::size_t kChannels = 3;
+constexpr double kLevel = 1e-4; ///< of a slope's interval
+/// Renders of one image differ by their noise, with a ratio of 1; those of two scenes by far more.
+constexpr double kOtherImage = 4.0;
 
 std::vector<std::string> integratorsOf(const ConvergencePlan &plan, const SceneFile &scene) {
     return plan.integrators.empty() ? std::vector<std::string>{scene.integrator} : plan.integrators;
@@ -126,7 +129,8 @@ private:
                 }
                 errors.push_back(std::move(at));
             }
-            result.fit = statistics::fitConvergence(errors);
+            result.fit = statistics::fitConvergence(
+                errors, kLevel, statistics::commonError(halves[0], halves[1], kChannels));
         } catch (const std::invalid_argument &error) {
             throw GraderError(fmt::format("{}: {}", result.label, error.what()));
         }
@@ -152,7 +156,9 @@ private:
             result.efficiency = 1.0 / (result.variance * result.cpuSeconds);
         if (m_first.empty())
             m_first = pooled;
-        else if (m_first.size() == pooled.size())
+        else if (m_first.size() == pooled.size() &&
+                 statistics::errorVarianceRatio(m_first, pooled, {.channels = kChannels}).ratio <
+                     kOtherImage)
             result.gain = statistics::varianceRatio(m_first, pooled, {.channels = kChannels});
     }
 

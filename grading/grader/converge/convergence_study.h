@@ -41,8 +41,8 @@ struct Convergence {
     double variance = 0.0;   ///< of one sample, mean over pixels and channels
     double cpuSeconds = 0.0; ///< of one sample of each pixel
     double efficiency = 0.0; ///< 1 / (variance * cpuSeconds)
-    /// Variance of the plan's first integrator and scene over this one's, where the images are of
-    /// one size and the samples are enough to tell.
+    /// Variance of the plan's first integrator and scene over this one's, where both show the same
+    /// image and the samples are enough to tell.
     std::optional<statistics::RatioEstimate> gain;
 };
 

@@ -43,9 +43,26 @@ TEST_F(WritePlot, LeavesPicturesScriptAndData) {
     const std::string svg = read("a plot.svg");
     for (const char *part : {"señal_a {x}", "title of", "currentColor", "prefers-color-scheme"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
-    EXPECT_EQ(svg.find("\"black\""), std::string::npos);
+    for (const char *black : {"\"black\"", "'black'", "rgb(  0,   0,   0)", "#000000"})
+        EXPECT_EQ(svg.find(black), std::string::npos) << "invisible on a dark page: " << black;
     EXPECT_NE(read("a plot.dat").find("4 0.5 0.45 0.55"), std::string::npos);
     EXPECT_NE(read("a plot.gp").find("'title of ''this'' set output'"), std::string::npos);
+}
+
+TEST_F(WritePlot, LabelsTheMeasuredNumbersOfSamples) {
+    m_plot.series[0].points.push_back({16, 0.25, 0.2, 0.3});
+    writePlot(m_plot, m_folder / "plot");
+    EXPECT_NE(read("plot.gp").find("set xtics (1, 4, 16)"), std::string::npos);
+    for (const char *label : {">1<", ">4<", ">16<"})
+        EXPECT_NE(read("plot.svg").find(label), std::string::npos) << label;
+}
+
+TEST_F(WritePlot, ColoursNothingOfThePageAroundIt) {
+    writePlot(m_plot, m_folder / "plot");
+    const std::string svg = read("plot.svg");
+    EXPECT_NE(svg.find("svg:root { color"), std::string::npos);
+    EXPECT_EQ(svg.find(" :root"), std::string::npos);
+    EXPECT_EQ(svg.find(">:root"), std::string::npos);
 }
 
 TEST_F(WritePlot, SaysThatGnuplotIsMissing) {

@@ -93,6 +93,48 @@ TEST(FitConvergence, CoversTheSlopeAsOftenAsItSays) {
     EXPECT_LT(covered, 200);
 }
 
+/// Intervals of 99 % that miss the slope of right code, of `runs`.
+/// \param variance  of a sample, if the reference's samples have 1
+int missesAgainstNoisyReference(double variance, int runs, bool countsReference) {
+    constexpr std::size_t kPlaces = 300;
+    constexpr int kTerms = 3;
+    constexpr double kReferenceSamples = 64.0; // 4 times the most, as `converge` renders it
+    Random random(77);
+    const auto image = [&random](double sampleVariance, double samples) {
+        std::vector<MomentSummary> pixels;
+        for (std::size_t i = 0; i < kPlaces; ++i)
+            pixels.push_back({samples,
+                              std::sqrt(kTerms * sampleVariance / samples) * noise(random, kTerms),
+                              sampleVariance, 0});
+        return pixels;
+    };
+    int missed = 0;
+    for (int run = 0; run < runs; ++run) {
+        const auto a = image(1, kReferenceSamples);
+        const auto b = image(1, kReferenceSamples);
+        std::vector<ErrorsAt> errors;
+        for (const double samples : {1.0, 4.0, 16.0}) {
+            ErrorsAt at{samples, {}};
+            for (int k = 0; k < 8; ++k)
+                at.errors.push_back(debiasedError(image(variance, samples), a, b));
+            errors.push_back(at);
+        }
+        missed +=
+            fitConvergence(errors, 0.01, countsReference ? commonError(a, b) : 0).isOtherwise() ? 1
+                                                                                                : 0;
+    }
+    return missed;
+}
+
+TEST(FitConvergence, CountsTheNoiseThatTheReferenceGivesToAllReplicates) {
+    // 200 runs at 1 %: 2 expected; more than 9 with probability 5e-5.
+    EXPECT_LE(missesAgainstNoisyReference(1.0, 200, true), 9);
+    EXPECT_LE(missesAgainstNoisyReference(0.2, 200, true), 9);
+    EXPECT_LE(missesAgainstNoisyReference(0.1, 200, true), 9);
+    // The wrong twin knows only the replicates' scatter.
+    EXPECT_GT(missesAgainstNoisyReference(0.1, 200, false), 9);
+}
+
 TEST(FitConvergence, RejectsAStreamThatIsUsedAgainAndABias) {
     EXPECT_TRUE(fit(200, 0, true).isOtherwise());
     EXPECT_TRUE(fit(300, 0.5, false).isOtherwise());

@@ -103,7 +103,8 @@ TEST(Evaluate, FindsSlopeVarianceCostAndGain) {
     for (const Convergence &one : all) {
         EXPECT_TRUE(one.fit.isMonteCarlo()) << one.label << ' ' << one.fit.slope;
         EXPECT_NEAR(one.cpuSeconds, 0.5, 1e-6);
-        EXPECT_FALSE(one.betweenWithin->differsFromOne(0, 4.9)); // level 1e-6
+        // Level 1e-6.
+        EXPECT_NEAR(one.betweenWithin->ratio, 1, 4.9 * one.betweenWithin->standardError);
     }
     EXPECT_NEAR(all[0].variance, 1, 1e-6);
     EXPECT_NEAR(all[0].efficiency, 2, 1e-6);
@@ -116,7 +117,30 @@ TEST(Evaluate, ConvictsAStreamThatIsUsedAgain) {
     const std::vector<Convergence> all = evaluate(plan(), "/out", Renderer(plan(), true));
     EXPECT_TRUE(all[0].fit.isOtherwise()) << all[0].fit.slope;
     EXPECT_STREQ(convergenceVerdict(all[0].fit), "does not");
-    EXPECT_TRUE(all[0].betweenWithin->differsFromOne(0.05, 4.9)); // 16 times the variance
+    // 16 times the variance.
+    EXPECT_GT(all[0].betweenWithin->ratio, 1.05 + 4.9 * all[0].betweenWithin->standardError);
+}
+
+TEST(Evaluate, ComparesTheNoiseOfRendersOfOneImageOnly) {
+    ConvergencePlan two = plan();
+    SceneFile other = two.scenes[0];
+    other.name = "/scenes/table_ems.xml";
+    two.scenes.push_back(other);
+    const Renderer renderer(two, false);
+    const auto brighter = [&renderer](const std::filesystem::path &file) {
+        protocol::Image image = renderer(file);
+        if (file.string().find("table_ems") == std::string::npos)
+            return image;
+        for (protocol::Channel &channel : image.channels) {
+            if (channel.name.rfind("mean.", 0) == 0) {
+                for (float &value : channel.values)
+                    value += 1;
+            }
+        }
+        return image;
+    };
+    EXPECT_TRUE(evaluate(two, "/out", renderer)[1].gain);
+    EXPECT_FALSE(evaluate(two, "/out", brighter)[1].gain);
 }
 
 TEST(Evaluate, NamesWhatHasNoMoments) {
