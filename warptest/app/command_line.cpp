@@ -42,7 +42,8 @@ std::map<std::string, viewer::PointSet> pointSets() {
 }
 
 void addOptions(CLI::App &app, CommandLine &line) {
-    app.add_option("WARP", line.warp, "What to test")->check(CLI::IsMember(warpIds()));
+    app.add_option("WARP", line.warp,
+                   "What to test; with --mistakes any name of the window's list");
     app.add_option("PARAM", line.settings.parameter, "Its parameter")
         ->check(CLI::Range(viewer::kMinParameter, viewer::kMaxParameter));
     app.add_flag("--all", line.all, "Test every warp, at all of its catalogue's parameters");
@@ -88,6 +89,12 @@ std::optional<CommandLine> parseCommandLine(int argc, char **argv, int &exitCode
         app.parse(argc, argv);
         if (!line.textFile.empty() && line.screenshot.empty()) {
             throw CLI::RequiresError("--dump-ui", "--screenshot");
+        }
+        if (!line.warp.empty() && !line.mistakes) {
+            const std::string unknown = CLI::IsMember(warpIds())(line.warp);
+            if (!unknown.empty()) {
+                throw CLI::ValidationError("WARP", unknown);
+            }
         }
         if (line.settings.parameter > 0.0 && line.warp.empty()) {
             throw CLI::RequiresError("PARAM", "WARP");

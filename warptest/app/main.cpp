@@ -16,7 +16,7 @@ namespace {
 using viewer::Status;
 
 constexpr int kFail = 1;
-constexpr int kNoWindow = 2;
+constexpr int kUsage = 2; ///< also: no window can be opened
 constexpr int kInconclusive = 3;
 
 /// \return  the worst of the verdicts so far
@@ -66,7 +66,7 @@ int runTests(const CommandLine &line, const std::vector<viewer::Subject> &subjec
     std::vector<std::string> documents;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
         const viewer::Subject &subject = subjects[i];
-        if (!line.all && subject.truth->id != line.warp) {
+        if (!line.all && subject.name != line.warp) {
             continue;
         }
         const double shown = line.settings.parameter > 0.0
@@ -103,20 +103,23 @@ int runTests(const CommandLine &line, const std::vector<viewer::Subject> &subjec
 
 int run(const CommandLine &line) {
     std::vector<viewer::Subject> subjects = rendererWarps();
-    if (!line.window) {
-        return runTests(line, subjects);
-    }
-    CommandLine shown = line;
     if (line.mistakes) {
         for (viewer::Subject &subject : mistakenWarps()) {
             subjects.push_back(std::move(subject));
         }
     }
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-        if (subjects[i].name == line.warp) {
-            shown.settings.warp = i;
-        }
+    const auto named = std::find_if(subjects.begin(), subjects.end(),
+                                    [&](const auto &subject) { return subject.name == line.warp; });
+    if (named == subjects.end() && !line.warp.empty()) {
+        fmt::print(stderr, "warptest: there is no warp \"{}\"\n", line.warp);
+        return kUsage;
     }
+    if (!line.window) {
+        return runTests(line, subjects);
+    }
+    CommandLine shown = line;
+    shown.settings.warp =
+        named == subjects.end() ? 0 : static_cast<std::size_t>(named - subjects.begin());
     try {
         showWarpWindow(shown, subjects);
         return 0;
@@ -125,7 +128,7 @@ int run(const CommandLine &line) {
                    "warptest: {}. `warptest WARP` tests without a window, `--screenshot "
                    "FILE` draws one without a display.\n",
                    error.what());
-        return kNoWindow;
+        return kUsage;
     }
 }
 
