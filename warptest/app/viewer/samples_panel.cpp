@@ -83,11 +83,11 @@ std::string colorLegend(const Cloud &cloud, ColorBy by) {
     }
     switch (by) {
     case ColorBy::Density:
-        return fmt::format("colour: returned density, dark 0 … yellow {:.4g}", largest);
+        return fmt::format("colour: returned density, dark 0 … green {:.4g}", largest);
     case ColorBy::Order:
-        return "colour: order, dark first … yellow last";
+        return "colour: order, dark first … green last";
     case ColorBy::Error:
-        return "colour: relative density error, dark 0 … yellow 1 % and more";
+        return "colour: relative density error, dark 0 … green 1 % and more";
     case ColorBy::Plain:
         break;
     }

@@ -12,6 +12,8 @@ namespace {
 
 /// More strata than this are no longer seen as lines.
 constexpr int kMaxStrata = 64;
+/// Where the colours of points end: viridis' last yellow is not seen on white paper.
+constexpr double kBrightest = 0.85;
 constexpr double kErrorRange = 0.01; ///< relative density error at the end of the colours
 
 using Line = std::vector<window::Vertex>;
@@ -67,7 +69,7 @@ std::vector<std::uint32_t> pointColors(ViewModel &model, const LineColors &color
     std::vector<std::uint32_t> result(cloud.inputs.size(), colors.muted);
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (selection.empty() || selection[i]) {
-            result[i] = i < values.size() ? window::viridis(values[i]) : colors.grid;
+            result[i] = i < values.size() ? window::viridis(kBrightest * values[i]) : colors.grid;
         }
     }
     return result;
