@@ -81,8 +81,8 @@ ReferenceRun renderReferences(const fs::path &scenes, const fs::path &folder,
         if (error)
             throw GraderError(fmt::format("{}: cannot be made: {}", file.parent_path().string(),
                                           error.message()));
-        if (render({scenes / wanted.scene, wanted.integrator, wanted.samplesPerPixel, wanted.seed, wanted.width,
-                    wanted.height, file}) == RenderEnd::Interrupted) {
+        if (render({scenes / wanted.scene, wanted.integrator, wanted.samplesPerPixel, wanted.seed,
+                    wanted.width, wanted.height, file}) == RenderEnd::Interrupted) {
             run.interrupted = true;
             return run;
         }
