@@ -135,7 +135,8 @@ TEST(Encoding, RefusesAnotherMagicOrVersion) {
 TEST(Encoding, RefusesAnUnknownOp) {
     RequestGroup group;
     group.requests.resize(1);
-    for (const std::uint32_t op : {0U, 10U, 0xffffffffU}) {
+    const std::uint32_t last = static_cast<std::uint32_t>(Op::Image);
+    for (const std::uint32_t op : {0U, last + 1, 0xffffffffU}) {
         group.requests[0].op = static_cast<Op>(op);
         EXPECT_FALSE(accepts(encode(group))) << op;
     }
