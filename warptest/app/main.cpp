@@ -13,7 +13,7 @@
 
 namespace {
 
-using viewer::Status;
+using battery::Status;
 
 constexpr int kFail = 1;
 constexpr int kUsage = 2; ///< also: no window can be opened
@@ -30,21 +30,7 @@ int worse(int code, Status verdict) {
 void print(const viewer::Subject &subject, const viewer::TestReport &report) {
     const std::string parameter =
         subject.truth->hasParameter ? fmt::format(" α = {:.6g}", report.settings.parameter) : "";
-    fmt::print("{}  {}{}: {}\n", viewer::label(report.verdict), subject.name, parameter,
-               report.headline);
-    if (!report.error.empty()) {
-        fmt::print("    {}\n", report.error);
-    }
-    for (const viewer::HealthRow &row : report.health) {
-        fmt::print("    {:<24} {:<28} {:<18} {}\n", row.name, row.value, row.expected,
-                   viewer::label(row.status));
-    }
-    for (const std::string &remark : report.remarks) {
-        fmt::print("    - {}\n", remark);
-    }
-    if (!report.power.empty()) {
-        fmt::print("    {}\n", report.power);
-    }
+    fmt::print("{}{}  {}", subject.name, parameter, battery::explain(report.result));
 }
 
 /// One test with its maps, as the window runs it.
@@ -54,7 +40,7 @@ viewer::TestReport test(const viewer::Subject &subject, const viewer::Settings &
                                           return false;
                                       }};
     viewer::TestReport report = viewer::runBattery(subject, settings, control);
-    if (report.error.empty()) {
+    if (report.result.error.empty()) {
         report.maps = viewer::drawMaps(subject, settings);
     }
     report.settings = settings;
@@ -83,7 +69,7 @@ int runTests(const CommandLine &line, const std::vector<viewer::Subject> &subjec
             settings.warp = i;
             settings.parameter = parameters[p];
             const viewer::TestReport report = test(subject, settings);
-            code = worse(code, report.verdict);
+            code = worse(code, report.result.verdict);
             if (line.json) {
                 documents.push_back(viewer::reportJson(subject, report));
             } else {

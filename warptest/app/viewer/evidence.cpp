@@ -46,8 +46,8 @@ window::Picture drawPicture(const Subject &subject, const TestReport &report) {
     const std::string parameter =
         truth.hasParameter ? fmt::format("α = {:.6g}, ", report.settings.parameter) : "";
     picture.write(kMargin, kMargin,
-                  fmt::format("{}: {}", truth.warpFunction, label(report.verdict)), kInk);
-    picture.write(kMargin, kMargin + kLine, report.headline, kInk);
+                  fmt::format("{}: {}", truth.warpFunction, label(report.result.verdict)), kInk);
+    picture.write(kMargin, kMargin + kLine, report.result.headline, kInk);
     picture.write(kMargin, kMargin + 2 * kLine,
                   fmt::format("{}seed {}, {} points in the maps", parameter, report.settings.seed,
                               report.maps.points),
@@ -67,16 +67,16 @@ window::Picture drawPicture(const Subject &subject, const TestReport &report) {
         picture.write(kMargin, y, text, kInk);
         y += kLine;
     };
-    if (!report.error.empty()) {
-        line(report.error);
+    if (!report.result.error.empty()) {
+        line(report.result.error);
     }
-    for (const HealthRow &row : report.health) {
-        if (row.name.find("χ²") != std::string::npos || row.status == Status::Fail) {
+    for (const battery::TestRow &row : report.result.rows) {
+        if (row.id == "histogram" || row.status == battery::Status::Fail) {
             line(fmt::format("{}  {}: {} ({})", label(row.status), row.name, row.value,
                              row.expected));
         }
     }
-    line(report.power);
+    line(report.result.power);
     return picture;
 }
 

@@ -5,20 +5,6 @@
 
 namespace viewer {
 
-const char *label(Status status) {
-    switch (status) {
-    case Status::Pass:
-        return "✔ pass";
-    case Status::Fail:
-        return "✖ fail";
-    case Status::Check:
-        return "▲ cannot tell";
-    case Status::NotRun:
-        break;
-    }
-    return "○ not run";
-}
-
 double defaultParameter(const catalog::WarpEntry &truth) {
     constexpr double kStock = 0.1;
     return truth.hasParameter ? kStock : truth.parameters.front();

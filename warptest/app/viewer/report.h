@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <battery/battery.h>
+
 #include <functional>
 #include <string>
-#include <vector>
 
 #include <viewer/maps.h>
 #include <viewer/settings.h>
@@ -11,28 +12,10 @@
 
 namespace viewer {
 
-enum class Status { Pass, Fail, Check, NotRun };
-
-/// "✔ pass", "✖ fail", "▲ cannot tell", "○ not run": never told by the colour alone.
-const char *label(Status status);
-
-/// One line of the health list.
-struct HealthRow {
-    std::string name;
-    std::string value;
-    std::string expected;
-    Status status = Status::NotRun;
-};
-
 /// What the test panel shows of one test.
 struct TestReport {
     Settings settings; ///< it was made with
-    Status verdict = Status::NotRun;
-    std::string headline; ///< in words, one line
-    std::vector<HealthRow> health;
-    std::vector<std::string> remarks; ///< what is wrong, and what it may mean
-    std::string power;                ///< what the test would have found, in words
-    std::string error;                ///< what the warp or density threw; empty: nothing
+    battery::TestResult result;
     double seconds = 0.0;
     Maps maps; ///< of independent points; without cells after an error
 };

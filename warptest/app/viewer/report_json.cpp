@@ -5,43 +5,26 @@
 
 namespace viewer {
 
-namespace {
-
-const char *word(Status status) {
-    switch (status) {
-    case Status::Pass:
-        return "pass";
-    case Status::Fail:
-        return "fail";
-    case Status::Check:
-        return "inconclusive";
-    case Status::NotRun:
-        break;
-    }
-    return "not run";
-}
-
-} // namespace
-
 std::string reportJson(const Subject &subject, const TestReport &report) {
+    const battery::TestResult &result = report.result;
     nlohmann::ordered_json json;
     json["warp"] = subject.truth->id;
     if (subject.truth->hasParameter) {
         json["parameter"] = report.settings.parameter;
     }
     json["seed"] = report.settings.seed;
-    json["verdict"] = word(report.verdict);
-    json["summary"] = report.headline;
-    json["error"] = report.error;
+    json["verdict"] = word(result.verdict);
+    json["summary"] = result.headline;
+    json["error"] = result.error;
     json["health"] = nlohmann::ordered_json::array();
-    for (const HealthRow &row : report.health) {
+    for (const battery::TestRow &row : result.rows) {
         json["health"].push_back({{"name", row.name},
                                   {"found", row.value},
                                   {"expected", row.expected},
                                   {"verdict", word(row.status)}});
     }
-    json["remarks"] = report.remarks;
-    json["power"] = report.power;
+    json["remarks"] = result.remarks;
+    json["power"] = result.power;
     json["observed"] = report.maps.observed;
     json["expected"] = report.maps.expected;
     return json.dump();

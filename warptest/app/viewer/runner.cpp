@@ -71,13 +71,13 @@ void Runner::runTest(const Job &job, const TestControl &control) {
     const auto start = std::chrono::steady_clock::now();
     try {
         report = m_actions.test(job.subject, job.settings, control);
-        if (report.error.empty() && !m_cancelled) {
+        if (report.result.error.empty() && !m_cancelled) {
             report.maps = drawMaps(job.subject, job.settings);
         }
     } catch (const std::exception &error) {
-        report.verdict = Status::Fail;
-        report.headline = "the test could not go on";
-        report.error = error.what();
+        report.result.verdict = battery::Status::Fail;
+        report.result.headline = "the test could not go on";
+        report.result.error = error.what();
     }
     if (m_cancelled) {
         return;
@@ -85,8 +85,8 @@ void Runner::runTest(const Job &job, const TestControl &control) {
     report.settings = job.settings;
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::string text =
-        fmt::format("{}: {} in {:.1f} s", job.subject.name, label(report.verdict), report.seconds);
+    const std::string text = fmt::format("{}: {} in {:.1f} s", job.subject.name,
+                                         label(report.result.verdict), report.seconds);
     {
         const std::scoped_lock lock(m_mutex);
         m_reports[job.settings.warp] = std::make_shared<const TestReport>(std::move(report));

@@ -11,6 +11,8 @@ namespace viewer {
 
 namespace {
 
+using battery::Status;
+
 const ImVec4 &colorOf(Status status) {
     const window::Palette &colors = window::palette();
     switch (status) {
@@ -18,7 +20,7 @@ const ImVec4 &colorOf(Status status) {
         return colors.pass;
     case Status::Fail:
         return colors.fail;
-    case Status::Check:
+    case Status::Inconclusive:
         return colors.check;
     case Status::NotRun:
         break;
@@ -38,7 +40,7 @@ void colored(const ImVec4 &color, const std::string &text) {
     ImGui::PopStyleColor();
 }
 
-void drawHealth(const std::vector<HealthRow> &rows) {
+void drawHealth(const std::vector<battery::TestRow> &rows) {
     if (rows.empty() || !ImGui::BeginTable("health", 4,
                                            ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH |
                                                ImGuiTableFlags_SizingStretchProp)) {
@@ -48,9 +50,9 @@ void drawHealth(const std::vector<HealthRow> &rows) {
         ImGui::TableSetupColumn(title);
     }
     ImGui::TableSetupColumn("##verdict", ImGuiTableColumnFlags_WidthFixed,
-                            ImGui::CalcTextSize(label(Status::Check)).x);
+                            ImGui::CalcTextSize(label(Status::Inconclusive)).x);
     ImGui::TableHeadersRow();
-    for (const HealthRow &row : rows) {
+    for (const battery::TestRow &row : rows) {
         ImGui::TableNextRow();
         for (const std::string *cell : {&row.name, &row.value, &row.expected}) {
             ImGui::TableNextColumn();
@@ -77,10 +79,10 @@ void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool
         colored(window::palette().check,
                 "▲ of other settings than those on the left; run again (R)");
     }
-    colored(colorOf(report->verdict),
-            fmt::format("{}: {}", label(report->verdict), report->headline));
-    drawError("it threw", report->error);
-    for (const std::string &remark : report->remarks) {
+    colored(colorOf(report->result.verdict),
+            fmt::format("{}: {}", label(report->result.verdict), report->result.headline));
+    drawError("it threw", report->result.error);
+    for (const std::string &remark : report->result.remarks) {
         ImGui::Bullet();
         wrapped(remark);
     }
@@ -89,10 +91,10 @@ void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool
         m_maps.draw(std::shared_ptr<const Maps>(report, &report->maps),
                     std::clamp(room / 2.0F, 60.0F, 14.0F * ImGui::GetFontSize()));
     }
-    drawHealth(report->health);
-    if (!report->power.empty()) {
+    drawHealth(report->result.rows);
+    if (!report->result.power.empty()) {
         ImGui::Spacing();
-        wrapped(report->power);
+        wrapped(report->result.power);
     }
 }
 
@@ -123,8 +125,8 @@ void TestPanel::draw(ViewModel &model) {
     ImGui::TextUnformatted("All warps");
     for (std::size_t i = 0; i < model.subjects().size(); ++i) {
         if (const auto other = runner.report(i)) {
-            colored(colorOf(other->verdict),
-                    fmt::format("{}  {}", label(other->verdict), model.subjects()[i].name));
+            colored(colorOf(other->result.verdict),
+                    fmt::format("{}  {}", label(other->result.verdict), model.subjects()[i].name));
         }
     }
 }
