@@ -15,7 +15,7 @@ constexpr int kImageSize = 32; ///< pixels per side, as in the templates
 SceneTemplate imageTemplate(const std::string &name);
 
 /// The pixels of a scene's camera, judged against our own estimator.
-/// \param repeats  samples per pixel at the third of five looks
+/// \param repeats  samples per pixel at the third look
 RadianceCase imageCase(std::vector<protocol::File> files, int repeats);
 
 /// A request for all pixels of the scene in the folder `folder` (empty: at the top).

@@ -18,9 +18,10 @@ namespace {
 constexpr double kInvalidTolerance = 1e-4;
 /// For code that is slower than ours by a large factor: a fraction of the samples will do.
 constexpr std::array<int, 3> kFewerSamples = {1, 16, 256};
-constexpr int kLooks = 5;
-/// The first look takes this part of RadianceCase::repeats, the last one four times as many.
+/// The first look takes this part of RadianceCase::repeats, the last one 16 times as many.
 constexpr int kFirstLook = 4;
+/// Further looks end here, as answers have to fit into memory: 3 floats each.
+constexpr double kMostSamples = 1 << 25;
 /// Samples of our own estimator per sample of the student's, for the comparison with "more".
 constexpr int kReferenceFactor = 3;
 /// What stands out by fewer standard errors than this is not looked at again: of 1024 pixels and
@@ -82,13 +83,15 @@ public:
     }
 
 private:
-    /// Up to five looks at samples that double; each at a fifth of the level.
+    /// Looks at samples that double, each at its part of the level.
     statistics::StageResult stage(const statistics::StageRequest &request) {
         BothSides all(m_test.places());
         int taken = 0;
         for (int look = 0; look < kLooks; ++look) {
             const int wanted = std::max(4, m_test.repeats * request.sampleFactor / kFirstLook)
                                << look;
+            if (look > 0 && wanted * static_cast<double>(m_test.places()) > kMostSamples)
+                break;
             const auto index = static_cast<int>(request.index);
             if (!take(all, {}, wanted - taken, kReferenceFactor, index, look))
                 return unreliable();

@@ -24,7 +24,7 @@ struct RadianceCase {
     std::vector<TestRay> rays;      ///< shape [rows, columns]; empty: the camera's pixels
     int pixelRows = 0;              ///< of the camera, whose pixels stand in `columns`
     std::vector<Vector3d> expected; ///< closed form per ray; empty: our own estimator
-    int repeats = 2048;             ///< samples per ray at the third of five looks
+    int repeats = 2048;             ///< samples per ray at the third look
     int lightCount = 1;             ///< for the diagnosis: a factor of this much has a name
     double passBound = 0.02;        ///< a pass states that the common factor is off by less
     double tilePassBound = std::numeric_limits<double>::infinity(); ///< and that every tile is
@@ -39,7 +39,7 @@ struct RadianceCase {
 };
 
 /// Judges the mean of Li per ray or pixel: global scale, sum of squares and worst tile per channel,
-/// with skewness correction, tolerance and triple lock; every stage takes up to five looks at
+/// with skewness correction, tolerance and triple lock; every stage takes up to kLooks looks at
 /// samples that double. Where there is no closed form, our own estimator is compared at equal
 /// samples, where skewness cancels, and with more. What stands out of an image that is right as a
 /// whole is looked at again, with fresh samples (statistics.md §2b). Code that is too slow for all

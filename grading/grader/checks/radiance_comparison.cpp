@@ -22,11 +22,11 @@ constexpr std::size_t kSuspectTiles = 4;
 constexpr double kSuspectTolerance = 0.1;
 /// Relative to the image's mean: what is darker is compared with this.
 constexpr double kDarkest = 0.05;
-/// Of the bounds of a look, two-sided: 1e-3 shared by five looks.
-constexpr double kBoundLevel = 2e-4;
-/// What one statistic has to reach for a first stage to reject: 1e-4 is shared by five looks, two
+/// Of the bounds of a look, two-sided: 1e-3 shared by the looks.
+constexpr double kBoundLevel = 1e-3 / kLooks;
+/// What one statistic has to reach for a first stage to reject: 1e-4 is shared by the looks, two
 /// references, three channels and three statistics. The minimal detectable error is that of this.
-constexpr double kStatisticLevel = 1e-4 / (5 * 2 * 3 * 3);
+constexpr double kStatisticLevel = 1e-4 / (kLooks * 2 * 3 * 3);
 
 MomentImage imageOf(const std::vector<MomentSummary> &places, int columns) {
     return {columns, static_cast<int>(places.size()) / columns, places};

@@ -10,6 +10,9 @@
 
 namespace grader {
 
+/// A stage takes up to this many looks at samples that double; each has its part of the level.
+constexpr int kLooks = 7;
+
 /// Errors that rounding, or a shadow segment shortened in another way, may cause. A statistic
 /// counts only where its effect is larger.
 constexpr double kGlobalTolerance = 1e-3;
