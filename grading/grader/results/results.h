@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <grader/diagnosis/guess.h>
+
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -44,7 +46,8 @@ struct CheckResult {
     double mde = kNoNumber;    ///< minimal detectable effect at the check's level and power
     double p = kNoNumber;      ///< of the last stage that was run
     std::string message;       ///< one sentence: what was measured and found
-    std::string diagnosis;     ///< the likely mistake, empty when none is known
+    std::string diagnosis;     ///< the first of `diagnoses` in a sentence; empty when there is none
+    std::vector<Guess> diagnoses;          ///< likely mistakes, see bestGuesses()
     Severity severity = Severity::Visible; ///< filled in by scoring from the rubric
     double score = 1;    ///< fraction of the check's weight that is kept [0, 1]; by scoring
     std::string variant; ///< which parts were the student's, e.g. `student` or `reference warp`
@@ -57,7 +60,8 @@ struct ItemResult {
     double max = 0;
     bool extra = false;
     Verdict verdict = Verdict::Infra;
-    std::string reason; ///< one line: why points were lost, or what stands
+    std::string reason;           ///< one line: why points were lost, or what stands
+    std::vector<Guess> diagnoses; ///< the best of the checks that cost
     std::vector<CheckResult> checks;
 };
 

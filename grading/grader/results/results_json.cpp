@@ -20,6 +20,13 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json guessesJson(const std::vector<Guess> &guesses) {
+    Json list = Json::array();
+    for (const Guess &guess : guesses)
+        list.push_back({{"id", guess.id}, {"fit", number(guess.fit)}});
+    return list;
+}
+
 Json checkJson(const CheckResult &check) {
     return {{"id", check.id},
             {"verdict", verdictName(check.verdict)},
@@ -30,6 +37,7 @@ Json checkJson(const CheckResult &check) {
             {"p", number(check.p)},
             {"message", check.message},
             {"diagnosis", check.diagnosis},
+            {"diagnoses", guessesJson(check.diagnoses)},
             {"variant", check.variant}};
 }
 
@@ -44,6 +52,7 @@ Json itemJson(const ItemResult &item, bool marked) {
             {"extra", item.extra},
             {"verdict", verdictName(item.verdict)},
             {"reason", item.reason},
+            {"diagnoses", guessesJson(item.diagnoses)},
             {"checks", std::move(checks)}};
 }
 
