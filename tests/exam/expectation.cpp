@@ -131,6 +131,10 @@ const std::map<std::string, Setter> &setters() {
          [](const Reader &reader, const toml::node &node, Expectation &to) {
              reader.verdicts(node, to);
          }},
+        {"diagnosis",
+         [](const Reader &reader, const toml::node &node, Expectation &to) {
+             to.diagnosis = reader.text(node);
+         }},
         {"hostile",
          [](const Reader &reader, const toml::node &node, Expectation &to) {
              to.hostile = reader.flag(node);

@@ -22,10 +22,13 @@ Graded parse(const std::string &json) {
     const auto &submission = document.at("submissions").at(0);
     Graded graded;
     graded.total = submission.at("total").get<double>();
-    for (const auto &item : submission.at("items"))
+    for (const auto &item : submission.at("items")) {
         graded.items.push_back({item.at("id").get<std::string>(), item.at("points").get<double>(),
                                 item.at("max").get<double>(), item.at("verdict").get<std::string>(),
                                 item.at("reason").get<std::string>()});
+        for (const auto &diagnosis : item.at("diagnoses"))
+            graded.items.back().diagnoses.push_back(diagnosis.at("id").get<std::string>());
+    }
     return graded;
 }
 
@@ -84,6 +87,8 @@ void compareItem(const Expectation &expectation, const GradedItem &item,
     const auto verdict = expectation.verdicts.find(item.id);
     if (verdict != expectation.verdicts.end() && verdict->second != item.verdict)
         misses.push_back(fmt::format("{}; expected verdict: {}", got, verdict->second));
+    if (kept == Kept::Full && !item.diagnoses.empty())
+        misses.push_back(fmt::format("{} is diagnosed: {}", got, fmt::join(item.diagnoses, ", ")));
     if (item.verdict == "infra") // points are kept, but nothing was tested
         misses.push_back(got);
 }
@@ -123,7 +128,28 @@ std::vector<std::string> compare(const Expectation &expectation, const Graded &g
         if (!known)
             misses.push_back(fmt::format("there is no item {}", id));
     }
+    if (!expectation.diagnosis.empty() && diagnosisPlace(expectation, graded) != 1) {
+        std::vector<std::string> got;
+        for (const GradedItem &item : graded.items)
+            got.insert(got.end(), item.diagnoses.begin(), item.diagnoses.end());
+        misses.push_back(
+            fmt::format("the first diagnosis is not {}: {}", expectation.diagnosis,
+                        got.empty() ? "none" : fmt::format("{}", fmt::join(got, ", "))));
+    }
     return misses;
+}
+
+std::size_t diagnosisPlace(const Expectation &expectation, const Graded &graded) {
+    std::size_t place = 0;
+    for (const GradedItem &item : graded.items) {
+        const auto found =
+            std::find(item.diagnoses.begin(), item.diagnoses.end(), expectation.diagnosis);
+        if (isFull(item) || found == item.diagnoses.end())
+            continue;
+        const auto here = static_cast<std::size_t>(found - item.diagnoses.begin()) + 1;
+        place = place == 0 ? here : std::min(place, here);
+    }
+    return place;
 }
 
 std::string describe(const Expectation &expectation) {

@@ -12,6 +12,7 @@ struct GradedItem {
     double max = 0;
     std::string verdict;
     std::string reason;
+    std::vector<std::string> diagnoses{}; ///< ids, the most likely first
 };
 
 struct Graded {
@@ -30,6 +31,10 @@ Graded grade(const std::filesystem::path &norigrade, const std::filesystem::path
 
 /// Where a result is not what was expected, a sentence each; empty if all is well.
 std::vector<std::string> compare(const Expectation &expectation, const Graded &graded);
+
+/// Place of the planted mistake among the diagnoses of the items that lost points, from 1; 0 if it
+/// is at none of them.
+std::size_t diagnosisPlace(const Expectation &expectation, const Graded &graded);
 
 /// `100, nothing lost`; `warp.disk lost, others full`.
 std::string describe(const Expectation &expectation);

@@ -71,6 +71,23 @@ TEST(Compare, tells_of_another_verdict_and_of_an_item_that_is_not_there) {
     EXPECT_EQ(compare(expectation, graded(90, 0, "fail")).size(), 2U);
 }
 
+TEST(Compare, wants_the_planted_mistake_first_at_an_item_that_loses) {
+    const Expectation expectation = read("diagnosis = \"disk.square\"\n");
+    Graded result = graded(90, 0);
+    EXPECT_EQ(compare(expectation, result).size(), 1U);
+    result.items[0].diagnoses = {"disk.half_radius", "disk.square"};
+    EXPECT_EQ(compare(expectation, result).size(), 1U);
+    EXPECT_EQ(diagnosisPlace(expectation, result), 2U);
+    result.items[0].diagnoses = {"disk.square"};
+    EXPECT_TRUE(compare(expectation, result).empty());
+}
+
+TEST(Compare, tells_of_a_diagnosis_at_an_item_that_must_be_full) {
+    Graded result = graded(100, 10);
+    result.items[0].diagnoses = {"disk.square"};
+    EXPECT_EQ(compare(read("full = \"all\"\n"), result).size(), 1U);
+}
+
 TEST(Describe, names_what_is_expected_and_what_was_lost) {
     EXPECT_EQ(describe(read("total = 100\nfull = \"all\"\n")), "100, full all");
     EXPECT_EQ(describe(read("lost = [\"warp.disk\"]\nfull = \"others\"\n")),

@@ -45,9 +45,13 @@ public:
         fmt::print("{:<42} {:<5} {:>6}  {}\n", "hand-in", "", "s", "expected -> got");
     }
 
+    /// \param place  of the planted mistake among the diagnoses, 0 if it is not there
     void add(const Task &task, const std::string &got, double seconds,
-             const std::vector<std::string> &misses) {
+             const std::vector<std::string> &misses, std::size_t place) {
         const std::lock_guard lock(m_mutex);
+        m_planted += task.which->expectation.diagnosis.empty() ? 0 : 1;
+        m_first += place == 1 ? 1 : 0;
+        m_amongThree += place > 0 ? 1 : 0;
         clearProgress();
         const std::string name = task.round == 0
                                      ? task.which->name
@@ -66,6 +70,10 @@ public:
     bool finish() {
         clearProgress();
         fmt::print("{} of {} as expected, in {:.0f} s\n", m_done - m_missed, m_tasks, elapsed());
+        if (m_planted > 0)
+            fmt::print(
+                "the planted mistake is the first diagnosis in {} of {}, among three in {}\n",
+                m_first, m_planted, m_amongThree);
         return m_missed == 0;
     }
 
@@ -92,6 +100,7 @@ private:
     std::chrono::steady_clock::time_point m_start;
     bool m_terminal;
     std::size_t m_done = 0, m_missed = 0;
+    std::size_t m_planted = 0, m_first = 0, m_amongThree = 0;
     std::mutex m_mutex;
 };
 
@@ -147,6 +156,7 @@ void perform(const Options &options, const Task &task, int jobs, const fs::path 
     std::vector<std::string> misses;
     std::string got = "nothing";
     double seconds = 0;
+    std::size_t place = 0;
     try {
         fs::create_directories(scratch);
         const fs::path handIn = compose(options.root, which, options.norigrade, scratch);
@@ -157,6 +167,8 @@ void perform(const Options &options, const Task &task, int jobs, const fs::path 
         got = describe(graded);
         seconds = graded.seconds;
         misses = compare(which.expectation, graded);
+        if (!which.expectation.diagnosis.empty())
+            place = diagnosisPlace(which.expectation, graded);
         if (which.expectation.hostile) {
             for (std::string &found : lookOver(which, before, options.root, scratch))
                 misses.push_back(std::move(found));
@@ -164,7 +176,7 @@ void perform(const Options &options, const Task &task, int jobs, const fs::path 
     } catch (const std::exception &error) {
         misses.emplace_back(error.what());
     }
-    table.add(task, got, seconds, misses);
+    table.add(task, got, seconds, misses, place);
     std::error_code ignored;
     fs::remove_all(scratch, ignored);
 }
