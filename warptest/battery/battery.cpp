@@ -4,6 +4,8 @@
 #include <battery/battery_run.h>
 
 #include <algorithm>
+#include <exception>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,15 +32,13 @@ void addRepeatsRow(TestResult &result) {
                            std::to_string(result.repeats.size()), result.verdict});
 }
 
-} // namespace
-
-TestResult testWarp(const Warp &warp, const Density &density, const catalog::WarpEntry &target,
-                    const TestOptions &options) {
+/// All repeats, and the first with the worst verdict.
+TestResult repeat(const TestOptions &options, const std::function<TestResult(int)> &once) {
     require(options);
     TestResult worst;
     std::vector<Status> verdicts;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
-        TestResult result = BatteryRun(warp, density, target, options, repeat).run();
+        TestResult result = once(repeat);
         if (result.verdict == Status::NotRun) {
             return result;
         }
@@ -52,6 +52,32 @@ TestResult testWarp(const Warp &warp, const Density &density, const catalog::War
         addRepeatsRow(worst);
     }
     return worst;
+}
+
+} // namespace
+
+TestResult testWarp(const Warp &warp, const Density &density, const catalog::WarpEntry &target,
+                    const TestOptions &options) {
+    return repeat(options, [&](int index) {
+        return BatteryRun(warp, density, target, options, index).run();
+    });
+}
+
+TestResult testOwnDensity(const Warp &warp, const Density &density, const catalog::Chart &chart,
+                          const TestOptions &options) {
+    require(options);
+    TabulatedTarget own;
+    try {
+        own = tabulateTarget("own density", chart, density);
+    } catch (const std::exception &error) {
+        TestResult failed;
+        failed.verdict = Status::Fail;
+        failed.headline = "the density cannot be used";
+        failed.error = error.what();
+        failed.repeats = {Status::Fail};
+        return failed;
+    }
+    return repeat(options, [&](int index) { return BatteryRun(warp, own, options, index).run(); });
 }
 
 std::vector<TestResult> testEveryParameter(const WarpFamily &family,

@@ -9,6 +9,7 @@
 #include <battery/nearest_mistake.h>
 #include <battery/range.h>
 #include <battery/stratified.h>
+#include <battery/tabulated_target.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,8 @@
 ///
 ///     auto result = battery::testWarp(myWarp, myDensity, catalog::requireWarp("disk"));
 ///     EXPECT_TRUE(result.passed()) << result;
+///
+/// A target of one's own is a density in a chart: tabulateTarget("lobe", catalog::zone(0, 1), f).
 namespace battery {
 
 enum class Status { Pass, Fail, Inconclusive, NotRun };
@@ -70,6 +73,7 @@ struct TestResult {
     std::size_t stages = 0;          ///< of the triple lock that were needed
     std::size_t points = 0;          ///< independent ones, of all stages
     ConsistencyResult consistency;   ///< a diagnosis, never a verdict
+    ImportanceCheck importance;      ///< of testOwnDensity() alone
     MistakeMatch mistake;            ///< the warp's, if it is wrong and looks like a known one
 
     [[nodiscard]] bool passed() const { return verdict == Status::Pass; }
@@ -83,6 +87,14 @@ struct TestResult {
 ///                                significance outside of (0, 0.1])
 TestResult testWarp(const Warp &warp, const Density &density, const catalog::WarpEntry &target,
                     const TestOptions &options = {});
+
+/// Judges whether a warp samples the density that comes with it, where no other truth is known (a
+/// BSDF, an environment map): the density is tabulated in a chart and takes the target's place.
+/// Right only in that they agree and integrate to 1. Inconclusive where the density cannot be
+/// integrated well enough: two rules differ, or the samples see what the table does not.
+/// \throws std::invalid_argument  as testWarp()
+TestResult testOwnDensity(const Warp &warp, const Density &density, const catalog::Chart &chart,
+                          const TestOptions &options = {});
 
 /// A warp with a parameter, and its density.
 struct WarpFamily {

@@ -15,14 +15,21 @@ public:
     BatteryRun(const Warp &warp, const Density &density, const catalog::WarpEntry &target,
                const TestOptions &options, int repeat);
 
+    /// With the density itself as the target.
+    BatteryRun(const Warp &warp, const TabulatedTarget &own, const TestOptions &options,
+               int repeat);
+
     /// \return  with verdict NotRun after a cancellation
     TestResult run();
 
 private:
     void runSteps();
+    void runOwnDensity();
     void judgeRange();
     void judgeDensity();
+    void judgeDensityAtSamples();
     void judgeNormalisation();
+    void judgeTable();
     void judgeStratified();
     void judgeDistribution();
     statistics::StageResult runStage(const statistics::StageRequest &request);
@@ -39,6 +46,7 @@ private:
     const Density &m_density;
     const catalog::WarpEntry &m_target;
     const TestOptions &m_options;
+    const TabulatedTarget *m_own = nullptr; ///< null: the target is known
     int m_repeat;
     double m_a;
     std::vector<Output> m_outputs; ///< of the last stage

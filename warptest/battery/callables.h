@@ -16,6 +16,9 @@ namespace battery {
 template <typename In, typename Out>
 class Batched {
 public:
+    /// Nothing that could be asked.
+    Batched() = default;
+
     template <typename Callable>
 
     requires std::is_invocable_r_v<Out, Callable &, const In &> Batched(Callable each)

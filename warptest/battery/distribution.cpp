@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "distribution.h"
 
-#include <battery/unit_square.h>
 #include <statistics/chi_square.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace battery {
 
 namespace {
 
-struct Shape {
-    int uBins;
-    int vBins;
-};
-
-constexpr std::array<Shape, 4> kShapes{{{32, 32}, {8, 8}, {256, 1}, {1, 256}}};
-
-HistogramTest testHistogram(const catalog::WarpEntry &entry, double a, const Shape &shape,
-                            std::span<const double> counts, double total) {
-    const statistics::ChiSquareResult plain = statistics::chiSquareEqualCells(counts, total);
-    HistogramTest test{.uBins = shape.uBins,
-                       .vBins = shape.vBins,
+HistogramTest testHistogram(const catalog::WarpEntry &entry, double a, const Histogram &histogram,
+                            double total) {
+    const statistics::ChiSquareResult plain =
+        statistics::chiSquareEqualCells(histogram.counts, total);
+    HistogramTest test{.uBins = histogram.uBins,
+                       .vBins = histogram.vBins,
                        .statistic = plain.statistic,
                        .degreesOfFreedom = plain.degreesOfFreedom};
-    test.tolerance = catalog::distributionTolerance(entry, a, shape.uBins);
+    test.tolerance = catalog::distributionTolerance(entry, a, histogram.uBins);
     test.pValue = statistics::toleranceZonePValue(test.statistic, test.degreesOfFreedom, total,
                                                   test.tolerance);
     test.rmsError = statistics::rmsErrorEstimate(test.statistic, test.degreesOfFreedom, total);
@@ -60,6 +55,29 @@ double passLimit(const catalog::WarpEntry &entry, double a) {
 
 } // namespace
 
+std::array<Histogram, 4> countHistograms(const UnitSquarePoints &points) {
+    std::array<Histogram, 4> histograms{Histogram{32, 32}, Histogram{8, 8}, Histogram{256, 1},
+                                        Histogram{1, 256}};
+    std::array<std::uint32_t, 32 * 32> fine{};
+    std::array<std::uint32_t, 256> alongU{};
+    std::array<std::uint32_t, 256> alongV{};
+    for (std::size_t i = 0; i < points.u.size(); ++i) {
+        const auto row = std::min(255U, static_cast<unsigned>(points.u[i] * 256.0));
+        const auto column = std::min(255U, static_cast<unsigned>(points.v[i] * 256.0));
+        ++fine[row / 8 * 32 + column / 8];
+        ++alongU[row];
+        ++alongV[column];
+    }
+    histograms[0].counts.assign(fine.begin(), fine.end());
+    histograms[1].counts.assign(64, 0.0);
+    for (std::size_t cell = 0; cell < fine.size(); ++cell) {
+        histograms[1].counts[cell / 128 * 8 + cell % 32 / 4] += fine[cell];
+    }
+    histograms[2].counts.assign(alongU.begin(), alongU.end());
+    histograms[3].counts.assign(alongV.begin(), alongV.end());
+    return histograms;
+}
+
 DistributionResult judgeDistribution(const catalog::WarpEntry &entry, double a,
                                      std::span<const Output> outputs) {
     if (outputs.empty()) {
@@ -71,17 +89,15 @@ DistributionResult judgeDistribution(const catalog::WarpEntry &entry, double a,
     result.total = outputs.size();
     result.invalid = points.invalid();
     result.poleAtoms = points.poleAtoms;
-    for (std::size_t i = 0; i < kShapes.size(); ++i) {
-        const std::vector<double> counts = countCells(points, kShapes[i].uBins, kShapes[i].vBins);
-        result.tests[i] = testHistogram(entry, a, kShapes[i], counts, total);
+    std::array<Histogram, 4> histograms = countHistograms(points);
+    for (std::size_t i = 0; i < histograms.size(); ++i) {
+        result.tests[i] = testHistogram(entry, a, histograms[i], total);
         result.z = i == 0 ? standardised(result.tests[i], total)
                           : std::max(result.z, standardised(result.tests[i], total));
-        if (i == 0) {
-            result.counts = counts;
-        } else if (i == 1) {
-            locateWorstCell(counts, total / static_cast<double>(counts.size()), result);
-        }
     }
+    const std::vector<double> &coarse = histograms[1].counts;
+    locateWorstCell(coarse, total / static_cast<double>(coarse.size()), result);
+    result.counts = std::move(histograms[0].counts);
     const double expected = total / static_cast<double>(result.counts.size());
     for (const double count : result.counts) {
         result.deviation.push_back((count - expected) / std::sqrt(expected));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <battery/records.h>
+#include <battery/unit_square.h>
 #include <statistics/triple_lock.h>
 
 #include <array>
@@ -16,6 +17,16 @@ namespace battery {
 inline constexpr std::size_t kDistributionSamples = std::size_t{1} << 20U;
 /// A pass needs the upper bound of the rms density error below this.
 inline constexpr double kDistributionPassLimit = 0.02;
+
+/// Counts in equal cells of the unit square, u slowest.
+struct Histogram {
+    int uBins = 0;
+    int vBins = 0;
+    std::vector<double> counts{};
+};
+
+/// What judgeDistribution() tests: 32x32, 8x8, U in 256 bins, V in 256 bins.
+std::array<Histogram, 4> countHistograms(const UnitSquarePoints &points);
 
 /// Pearson's test on one histogram, against the null "rms error <= tolerance".
 struct HistogramTest {
@@ -34,7 +45,7 @@ struct DistributionResult {
     std::size_t total = 0;
     std::size_t invalid = 0;   ///< outputs out of the domain; they are missed in the histograms
     std::size_t poleAtoms = 0; ///< directions exactly at the pole: above 1e-5 a loss of precision
-    std::array<HistogramTest, 4> tests{};      ///< 32x32, 8x8, U in 256 bins, V in 256 bins
+    std::array<HistogramTest, 4> tests{};      ///< of countHistograms()
     double pValue = 1.0;                       ///< of the four together: min(1, 4 min p)
     double rmsError = 0.0;                     ///< the larger estimate of 32x32 and 8x8
     double rmsBound = 0.0;                     ///< of 8x8: what a pass states

@@ -6,9 +6,9 @@
 /// Exact facts of the warps to directions; used through warpCatalog().
 namespace catalog::directional {
 
-extern const WarpEntry kSphere;
-extern const WarpEntry kHemisphere;
-extern const WarpEntry kCosineHemisphere;
-extern const WarpEntry kBeckmann;
+WarpEntry sphere();
+WarpEntry hemisphere();
+WarpEntry cosineHemisphere();
+WarpEntry beckmann();
 
 } // namespace catalog::directional

@@ -6,9 +6,9 @@
 /// Exact facts of the planar warps; used through warpCatalog().
 namespace catalog::planar {
 
-extern const WarpEntry kSquare;
-extern const WarpEntry kTent;
-extern const WarpEntry kDisk;
-extern const WarpEntry kTriangle;
+WarpEntry square();
+WarpEntry tent();
+WarpEntry disk();
+WarpEntry triangle();
 
 } // namespace catalog::planar

@@ -13,14 +13,14 @@
 namespace catalog {
 
 std::span<const WarpEntry> warpCatalog() {
-    static const std::array<WarpEntry, 8> entries{planar::kSquare,
-                                                  planar::kTent,
-                                                  planar::kDisk,
-                                                  planar::kTriangle,
-                                                  directional::kSphere,
-                                                  directional::kHemisphere,
-                                                  directional::kCosineHemisphere,
-                                                  directional::kBeckmann};
+    static const std::array<WarpEntry, 8> entries{planar::square(),
+                                                  planar::tent(),
+                                                  planar::disk(),
+                                                  planar::triangle(),
+                                                  directional::sphere(),
+                                                  directional::hemisphere(),
+                                                  directional::cosineHemisphere(),
+                                                  directional::beckmann()};
     return entries;
 }
 
@@ -48,14 +48,15 @@ Placement placement(const WarpEntry &entry, const Point &p) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
         return Placement::NotFinite;
     }
-    if (entry.dimension == 3 && std::fabs(std::hypot(p.x, p.y, p.z) - 1.0) > kNormTolerance) {
+    if (entry.dimension == 3 &&
+        std::fabs(std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) - 1.0) > kNormTolerance) {
         return Placement::OffNorm;
     }
     return entry.margin(p) < -kSupportTolerance ? Placement::Outside : Placement::Inside;
 }
 
 double edgeConditioning(const WarpEntry &entry, double a) {
-    return entry.hasParameter ? 2.0 / (a * a) : 0.0;
+    return entry.edgeConditioning ? entry.edgeConditioning(a) : 0.0;
 }
 
 double distributionTolerance(const WarpEntry &entry, double a, int uBins) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-#include <string_view>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace catalog {
 
@@ -28,35 +29,39 @@ inline constexpr double kBoundaryBand = 1e-5;
 /// Rounding unit of single precision.
 inline constexpr double kFloatRounding = 0x1p-24;
 
-/// One warp: what is true of every right implementation, whatever map it uses. `a` is the warp's
+/// One target: what is true of every right warp to it, whatever map it uses. `a` is the warp's
 /// parameter (Beckmann's alpha) and ignored by warps without one.
 struct WarpEntry {
-    std::string_view id;                ///< "triangle"
-    std::string_view rubricId;          ///< "warp.triangle"; empty for warps that are not graded
-    std::string_view warpFunction;      ///< "Warp::squareToUniformTriangle"
-    std::string_view densityFunction;   ///< "Warp::squareToUniformTrianglePdf"
-    int dimension;                      ///< 2: plane, area measure; 3: directions, solid angle
-    bool hasParameter;                  ///< the functions take `a` as their second argument
-    std::span<const double> parameters; ///< values of `a` to test; never empty
+    std::string id{};                    ///< "triangle"
+    std::string rubricId{};              ///< "warp.triangle"; empty for warps that are not graded
+    std::string warpFunction{};          ///< "Warp::squareToUniformTriangle"
+    std::string densityFunction{};       ///< "Warp::squareToUniformTrianglePdf"
+    int dimension = 2;                   ///< 2: plane, area measure; 3: directions, solid angle
+    bool hasParameter = false;           ///< the functions take `a` as their second argument
+    std::vector<double> parameters{0.0}; ///< values of `a` to test; never empty
 
     /// Density by its formula, continued beyond the support (where the true density is 0).
-    double (*formula)(const Point &p, double a);
+    std::function<double(const Point &p, double a)> formula{};
     /// An exact warp, in double.
-    Point (*warp)(const Square &s, double a);
+    std::function<Point(const Square &s, double a)> warp{};
     /// Rosenblatt map: uniform on the unit square for every right warp, and inverse of `warp`.
     /// Not clamped, and anything for points far outside the support.
-    Square (*rosenblatt)(const Point &p, double a);
+    std::function<Square(const Point &p, double a)> rosenblatt{};
     /// Condition number of the density: relative change per relative change of a coordinate.
-    double (*conditioning)(const Point &p, double a);
+    std::function<double(const Point &p, double a)> conditioning{};
     /// Signed distance to the boundary of the support, positive inside. Looks at directions only,
     /// not at their norm.
-    double (*margin)(const Point &p);
+    std::function<double(const Point &p)> margin{};
     /// The enlarged domain, on which the density is tried outside of its support: maps the unit
     /// square to it uniformly.
-    Point (*enlarged)(const Square &s);
-    double enlargedMeasure; ///< area or solid angle of the enlarged domain
+    std::function<Point(const Square &s)> enlarged{};
+    double enlargedMeasure = 1.0; ///< area or solid angle of the enlarged domain
     /// Point number t in [0, 1) of the boundary of the support; null if there is none.
-    Point (*boundary)(double t);
+    std::function<Point(double t)> boundary{};
+    /// Change of U per unit of rounding of a coordinate in a right but unlucky implementation,
+    /// beyond which nothing is an error: 2 / a^2 where Beckmann's sine is built from a rounded
+    /// cosine. Null: 0.
+    std::function<double(double a)> edgeConditioning{};
 
     /// The density: `formula` inside the support (margin >= 0), else 0.
     [[nodiscard]] double density(const Point &p, double a) const {
@@ -70,8 +75,7 @@ enum class Placement { Inside, NotFinite, OffNorm, Outside };
 /// Judges one output, with the tolerances above.
 Placement placement(const WarpEntry &entry, const Point &p);
 
-/// Change of U per unit of rounding where a warp builds the sine from a rounded cosine: 2 / a^2
-/// for Beckmann, 0 for the others.
+/// `entry.edgeConditioning`, or 0.
 double edgeConditioning(const WarpEntry &entry, double a);
 
 /// Tolerated rms relative density error in a histogram with `uBins` cells along U: 0.3 %, or what

@@ -108,6 +108,32 @@ TEST(TestWarp, FindsAWarpThatIsNoFunction) {
     EXPECT_EQ(statusOf(result, "repeatable"), Status::Fail);
 }
 
+TEST(TestWarp, FindsTheOneSampleThatGivesNoNumber) {
+    for (const auto &sample : sample_warps::kNotFinite) {
+        const auto &truth = catalog::requireWarp(sample.warpId);
+        const auto result = battery::testWarp([&](const Input &s) { return sample.warp(s, 0.01F); },
+                                              [&](const Output &p) {
+                                                  return static_cast<float>(
+                                                      truth.density(battery::toPoint(p), 0.01));
+                                              },
+                                              truth, few());
+        EXPECT_EQ(statusOf(result, "finite"), Status::Fail) << sample.name << result;
+    }
+}
+
+TEST(TestWarp, AsksTheDensityWhereTheWarpRounds) {
+    // 0.04 % of the samples: 26 are expected among those that are asked
+    for (const auto &sample : sample_densities::kWrongAtRounding) {
+        const auto result = battery::testWarp(
+            [](const Input &s) {
+                return sample_warps::atHeight(1.0F - 2.0F * s.u, 2.0F * sample_warps::kPi * s.v);
+            },
+            [&](const Output &p) { return sample.density(p, 0.0F); },
+            catalog::requireWarp(sample.warpId), few());
+        EXPECT_EQ(statusOf(result, "pdf_at_samples"), Status::Fail) << sample.name << result;
+    }
+}
+
 TEST(TestWarp, TakesFunctionsOfManyPointsToo) {
     const auto one = battery::testWarp(disk, diskPdf, target(), few());
     const auto many = battery::testWarp(

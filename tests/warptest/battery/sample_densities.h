@@ -109,6 +109,9 @@ inline const auto kWrong = std::to_array<SampleDensity>({
      [](const Output &p, float) { return p.x + p.y <= 1.0F ? 2.0F : 0.0F; }, "no_lower_bounds"},
     {"triangle", "not_implemented", [](const Output &, float) { return 0.0F; }, "zero"},
     {"disk", "everywhere", [](const Output &, float) { return kInvPi; }, "everywhere"},
+    {"disk", "pi_3_14",
+     [](const Output &p, float) { return p.x * p.x + p.y * p.y <= 1.0F ? 1.0F / 3.14F : 0.0F; }, "",
+     "pi/3.14"},
     {"disk", "one",
      [](const Output &p, float) { return p.x * p.x + p.y * p.y <= 1.0F ? 1.0F : 0.0F; }, "", "pi"},
     {"sphere", "hemisphere", [](const Output &, float) { return 0.5F * kInvPi; }, "", "2"},
@@ -116,6 +119,14 @@ inline const auto kWrong = std::to_array<SampleDensity>({
     {"sphere", "exact_norm", // 0 where rounding puts the norm off 1
      [](const Output &p, float) {
          return p.x * p.x + p.y * p.y + p.z * p.z == 1.0F ? 0.25F * kInvPi : 0.0F;
+     }},
+    {"hemisphere", "exact_norm",
+     [](const Output &p, float) {
+         return p.z >= 0.0F && p.x * p.x + p.y * p.y + p.z * p.z == 1.0F ? 0.5F * kInvPi : 0.0F;
+     }},
+    {"cosine_hemisphere", "exact_norm",
+     [](const Output &p, float) {
+         return p.z >= 0.0F && p.x * p.x + p.y * p.y + p.z * p.z == 1.0F ? p.z * kInvPi : 0.0F;
      }},
     {"hemisphere", "sphere_above",
      [](const Output &p, float) { return p.z >= 0.0F ? 0.25F * kInvPi : 0.0F; }, "", "1/2"},
@@ -144,6 +155,14 @@ inline const auto kWrong = std::to_array<SampleDensity>({
          return p.z <= 0.0F ? 0.0F : a * lobe((1.0F - p.z * p.z) / (p.z * p.z), a * a, p.z, 3);
      },
      "", "alpha"},
+});
+
+/// Right at every direction that is rounded well, 0 at a few in ten thousand that a warp gives.
+inline const auto kWrongAtRounding = std::to_array<SampleDensity>({
+    {"sphere", "norm_at_most_one", // 0 where rounding puts the norm above 1
+     [](const Output &p, float) {
+         return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) <= 1.0F ? 0.25F * kInvPi : 0.0F;
+     }},
 });
 
 inline std::vector<float> run(const SampleDensity &sample, std::span<const Output> points,
