@@ -10,7 +10,7 @@ set(ALLOWED
     "warptest/statistics:statistics"
     "warptest/catalog:catalog"
     "warptest/battery:battery,catalog,statistics"
-    "warptest/bindings:bindings,battery,nori"
+    "warptest/bindings:bindings,battery,catalog,nori"
     "warptest/app:viewer,window,bindings,battery,catalog,statistics"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"

@@ -162,20 +162,20 @@ void BatteryRun::runSteps() {
 }
 
 void BatteryRun::runOwnDensity() {
-    judgeTable();
-    step(0.2);
-    if (m_result.verdict == Status::Inconclusive) {
-        return; // what cannot be integrated is no target
-    }
-    judgeRange();
+    judgeRange(); // points of density 0 are wrong, whatever it integrates to
+    step(0.1);
+    const bool isTarget = judgeTable();
     step(0.3);
+    if (!isTarget) {
+        return;
+    }
     judgeStratified();
     step(0.5);
     judgeDistribution();
     step(1.0);
 }
 
-void BatteryRun::judgeTable() {
+bool BatteryRun::judgeTable() {
     const std::size_t invalid = m_own->notFinite + m_own->negative;
     add({"pdf_valid", "pdf < 0 or NaN", fmt::format("{}", invalid), "0", statusOf(invalid == 0)});
     m_result.importance =
@@ -190,13 +190,13 @@ void BatteryRun::judgeTable() {
                      m_result.importance.standardError),
          "1", m_result.importance.agrees() ? Status::Pass : Status::Inconclusive});
     if (!integrated) {
-        m_result.verdict = Status::Inconclusive;
         m_result.remarks.emplace_back("The density could not be integrated well enough: a chart "
                                       "that follows its peaks, or its grid, would help.");
-        return;
+        return false;
     }
     add({"normalisation", "∫ pdf", fmt::format("{:.6f}", m_result.integral), "1",
          statusOf(std::fabs(m_result.integral - 1.0) <= kNormalisationTolerance)});
+    return true;
 }
 
 void BatteryRun::judgeRange() {

@@ -29,7 +29,8 @@ private:
     void judgeDensity();
     void judgeDensityAtSamples();
     void judgeNormalisation();
-    void judgeTable();
+    /// \return  whether the density is known well enough to be a target
+    bool judgeTable();
     void judgeStratified();
     void judgeDistribution();
     statistics::StageResult runStage(const statistics::StageRequest &request);
