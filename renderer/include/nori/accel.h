@@ -34,8 +34,8 @@ public:
     /// Nearest hit of the ray's segment.
     ///
     /// \param ray        a mint of exactly Epsilon grows with the coordinates of ray.o
-    /// \param its        its.t becomes infinite on a miss, all else stays; not filled for shadow
-    /// rays \param shadowRay  whether anything is hit is all that is asked
+    /// \param its        its.t becomes infinite on a miss, all else stays
+    /// \param shadowRay  whether anything is hit is all that is asked: its is not filled
     bool rayIntersect(const Ray3f &ray, Intersection &its, bool shadowRay = false) const;
 
 private:

@@ -4,6 +4,8 @@
 #include <nori/bbox.h>
 #include <nori/color.h>
 
+#include <tbb/mutex.h> // for submissions, which get it from here in Nori
+
 #include <memory>
 #include <mutex>
 

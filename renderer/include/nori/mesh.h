@@ -46,9 +46,8 @@ public:
     ///
     /// \param sample  uniform in [0, 1)^2
     /// \param p       receives the position
-    /// \param n       receives the unit normal: interpolated if the mesh has normals, else the
-    /// face's \param uv      receives the interpolated texture coordinates; unchanged if there are
-    /// none
+    /// \param n       receives the unit normal: interpolated, or of the face without normals
+    /// \param uv      receives interpolated texture coordinates; unchanged if there are none
     void samplePosition(const Point2f &sample, Point3f &p, Normal3f &n, Point2f &uv) const;
 
     /// Density of samplePosition() over the surface [1/area]; the same for every `p`.
