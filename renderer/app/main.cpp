@@ -62,7 +62,7 @@ void warnAboutImage(const nori::RenderResult &result, const nori::Scene &scene) 
     const bool black = std::all_of(result.image.data(), result.image.data() + result.image.size(),
                                    [](const nori::Color3f &c) { return (c == 0.0f).all(); });
     if (black && result.complete)
-        warn(scene.getLights().empty() ? "the image is black: the scene holds no light"
+        warn(scene.getLights().empty() ? "the image is black, and the scene holds no light"
                                        : "the image is black");
     if (result.droppedSamples > 0)
         warn(fmt::format("{} samples were negative, infinite or not a number, and were dropped",

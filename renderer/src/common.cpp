@@ -70,6 +70,8 @@ float toFloat(const std::string &str) {
     const float result = strtof(str.c_str(), &end);
     if (str.empty() || *end != '\0')
         throw NoriException("Could not parse floating point value \"%s\"", str);
+    if (std::isnan(result))
+        throw NoriException("\"%s\" is not a number", str);
     return result;
 }
 

@@ -21,6 +21,8 @@ TEST(Common, ParsesNumbersStrictly) {
     EXPECT_THROW(toUInt("-1"), NoriException);
     EXPECT_THROW(toFloat(""), NoriException);
     EXPECT_THROW(toFloat("1,5"), NoriException);
+    EXPECT_THROW(toFloat("nan"), NoriException);
+    EXPECT_EQ(toFloat("inf"), std::numeric_limits<float>::infinity());
     EXPECT_THROW(toBool("yes"), NoriException);
     EXPECT_THROW(toVector3f("1 2"), NoriException);
     EXPECT_THROW(toVector3f("1 2 3 4"), NoriException);

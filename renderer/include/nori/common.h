@@ -145,7 +145,7 @@ extern std::string toLower(const std::string &value);
 /// "true" or "false" in any case; else throws NoriException.
 extern bool toBool(const std::string &str);
 
-/// Decimal number in the range of its type; anything after it throws NoriException.
+/// Decimal number in the range of its type; NaN or anything after it throws NoriException.
 extern int toInt(const std::string &str);
 extern unsigned int toUInt(const std::string &str);
 extern float toFloat(const std::string &str);
