@@ -84,7 +84,9 @@ std::string BuildFailure::describe() const {
                     ? fmt::format(": {}", first.message)
                     : fmt::format(": {}:{}: {}", first.file, first.line, first.message);
     }
-    if (!missing.empty() && !probablyIn.empty())
+    if (missing.find('.') != std::string::npos)
+        text += fmt::format(" (\"{}\" is not among the files)", missing);
+    else if (!missing.empty() && !probablyIn.empty())
         text +=
             fmt::format(" (\"{}\" is missing; it is probably declared in {})", missing, probablyIn);
     else if (!missing.empty())
@@ -109,6 +111,8 @@ BuildFailure parseDiagnostics(const std::string &unit, const std::string &log,
         std::smatch match;
         if (std::regex_search(line, match, kInside))
             enclosing = match[1];
+        else if (line.find("At global scope:") != std::string::npos)
+            enclosing.clear();
         Diagnostic diagnostic;
         if (std::regex_match(line, match, kError)) {
             const auto known = names.find(match[1]);

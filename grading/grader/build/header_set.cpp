@@ -12,8 +12,11 @@ namespace {
 
 /// The spellings between the quotes or brackets of every #include line.
 std::vector<std::string> includesOf(const std::string &text) {
+    static const std::string kByteOrderMark = "\xEF\xBB\xBF";
     std::vector<std::string> names;
     std::istringstream stream(text);
+    if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0)
+        stream.ignore(static_cast<std::streamsize>(kByteOrderMark.size()));
     for (std::string line; std::getline(stream, line);) {
         std::size_t at = line.find_first_not_of(" \t");
         if (at == std::string::npos || line[at] != '#')
@@ -31,11 +34,19 @@ std::vector<std::string> includesOf(const std::string &text) {
     return names;
 }
 
-std::string lastComponentLower(const std::string &name) {
-    std::string last = name.substr(name.find_last_of("/\\") + 1);
-    std::transform(last.begin(), last.end(), last.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return last;
+/// What a spelling is on a system that takes upper for lower case and a backslash for a slash; a
+/// plain name is looked for in nori/.
+std::string asWindowsReadsIt(std::string spelling) {
+    std::transform(spelling.begin(), spelling.end(), spelling.begin(), [](unsigned char c) {
+        return c == '\\' ? '/' : static_cast<char>(std::tolower(c));
+    });
+    return spelling.find('/') == std::string::npos ? "nori/" + spelling : spelling;
+}
+
+/// Whether the compiler finds it without help.
+bool isFound(const std::string &spelling, const HeaderSet &headers) {
+    return headers.files.count(spelling) != 0 || headers.files.count("nori/" + spelling) != 0 ||
+           headers.forwards.count(spelling) != 0;
 }
 
 /// The header that a spelling reaches; empty if it is none of ours.
@@ -63,13 +74,11 @@ std::set<std::string> addForwards(const std::string &text, HeaderSet &headers) {
     for (const std::string &spelling : includesOf(text)) {
         const bool escapes =
             spelling.empty() || spelling.front() == '/' || spelling.find("..") != std::string::npos;
-        if (escapes || !resolve(spelling, headers).empty())
+        if (escapes || isFound(spelling, headers))
             continue;
-        const bool isOurs = spelling.compare(0, 4, "nori") == 0 ||
-                            spelling.find_first_of("/\\") == std::string::npos;
         for (const auto &[name, unused] : headers.files) {
-            if (isOurs && name.compare(0, 5, "nori/") == 0 &&
-                lastComponentLower(name) == lastComponentLower(spelling)) {
+            if (name.compare(0, 5, "nori/") == 0 &&
+                asWindowsReadsIt(name) == asWindowsReadsIt(spelling)) {
                 headers.forwards[spelling] = name;
                 added.insert(spelling);
                 break;

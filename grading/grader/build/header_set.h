@@ -20,8 +20,9 @@ struct HeaderSet {
 /// `nori/emitter.h`, a new name becomes `nori/<name>`.
 HeaderSet overlayHeaders(const Files &base, const Files &submitted);
 
-/// Adds forwards for the includes of `text` that differ from a header's name only in case, in
-/// backslashes or in the folder. \return  the spellings added
+/// Adds forwards for the includes of `text` that differ from a header's name only in case or in
+/// backslashes.
+/// \return  the spellings added
 std::set<std::string> addForwards(const std::string &text, HeaderSet &headers);
 
 /// Names of the headers that `text` can reach, through any number of includes and whatever the

@@ -27,6 +27,8 @@ std::string safeName(const std::string &name, std::size_t number) {
     return safe;
 }
 
+constexpr char kStagedHeaders[] = "/hand-in/include/";
+
 Files submittedHeaders(const Submission &submission) {
     Files headers;
     for (const SubmittedFile &file : submission.files) {
@@ -67,9 +69,12 @@ VariantBuilder::VariantBuilder(Compiler &compiler, const Submission &submission,
     : m_compiler(compiler),
       m_jobs(jobs),
       m_headers(overlayHeaders(starterBase().headers, submittedHeaders(submission))) {
+    for (const auto &[name, text] : m_headers.files)
+        m_headerNames[kStagedHeaders + name] = name;
     for (const SubmittedFile &file : submission.files) {
+        m_hasHeaders = m_hasHeaders || file.role == FileRole::Header;
         if (file.role == FileRole::Header)
-            m_headerNames["include/nori/" + file.name] = file.path;
+            m_headerNames[kStagedHeaders + ("nori/" + file.name)] = file.path;
         else if (file.role == FileRole::Source)
             m_sources[file.name] = {file.name, file.path, file.bytes};
         else if (file.role == FileRole::Extra)
@@ -145,6 +150,22 @@ std::vector<std::filesystem::path> VariantBuilder::extraObjects() {
     return objects;
 }
 
+std::optional<BuildFailure> VariantBuilder::brokenBase() {
+    std::vector<std::string> units;
+    for (const Files *files : {&starterBase().units, &probeUnits()}) {
+        for (const auto &[unit, text] : *files)
+            units.push_back(unit);
+    }
+    for (const std::string &unit : units) {
+        const Object object = compileUnit(unit, Origin::Starter);
+        const auto *failure = std::get_if<BuildFailure>(&object.built);
+        const bool matters = failure != nullptr && !isPlugin(unit);
+        if (matters && (!hasUnit(unit) || failureOf(unit)))
+            return *failure;
+    }
+    return std::nullopt;
+}
+
 void VariantBuilder::compileAll(const std::function<void(double fraction)> &progress) {
     std::vector<std::pair<std::string, Origin>> units;
     for (const auto &[unit, source] : m_sources)
@@ -158,14 +179,27 @@ void VariantBuilder::compileAll(const std::function<void(double fraction)> &prog
         compileUnit(units[i].first, units[i].second);
         progress(static_cast<double>(++done) / static_cast<double>(units.size()));
     });
+    // What does not need headers that break everything is judged without them.
+    if (const auto failure = m_hasHeaders ? brokenBase() : std::nullopt) {
+        m_notes.push_back({Note::Level::Odd, "",
+                           "The base's own headers were taken, because it does not compile with "
+                           "those of the hand-in: " +
+                               failure->describe()});
+        for (const auto &[name, text] : starterBase().headers) {
+            m_headers.files[name] = text;
+            m_headerNames[kStagedHeaders + name] = name;
+        }
+    }
     for (const UnitSource &extra : m_extras) {
-        const Built built = m_compiler.compile(extra, m_headers, m_headerNames);
-        if (const auto *failure = std::get_if<BuildFailure>(&built))
+        Built built = m_compiler.compile(extra, m_headers, m_headerNames);
+        if (auto *failure = std::get_if<BuildFailure>(&built)) {
+            failure->unit = std::filesystem::path(extra.shownName).filename().string();
             m_notes.push_back(
                 {Note::Level::Odd, extra.shownName,
                  "an additional file that does not compile; nothing needs it unless a "
                  "link error says so: " +
                      failure->describe()});
+        }
     }
 }
 
@@ -189,11 +223,12 @@ Variant VariantBuilder::build(const VariantPlan &plan) {
         if (failure != nullptr) {
             variant.failures.push_back(*failure);
             // A student's file that does not compile costs only what it holds: the starter's
-            // stands in, where there is one. A plugin of the base that a changed header breaks
-            // (a new pure virtual) is left out; scenes that need it will say so.
-            const bool isStudents = hasUnit(object.unit) && plan.origins.count(object.unit) != 0;
-            if (isStudents)
-                object = compileUnit(object.unit, Origin::Starter);
+            // stands in, where there is one. One of the base that a changed header breaks is
+            // replaced by the student's own; if there is none, a plugin (a new pure virtual) is
+            // left out, and scenes that need it will say so.
+            const bool isStudents = plan.origins.count(object.unit) != 0;
+            if (hasUnit(object.unit))
+                object = compileUnit(object.unit, isStudents ? Origin::Starter : Origin::Student);
             if (std::holds_alternative<BuildFailure>(object.built)) {
                 linkable = linkable && isPlugin(object.unit);
                 continue;

@@ -48,9 +48,10 @@ public:
     bool hasUnit(const std::string &unit) const;
 
     /// True if the hand-in replaces or adds a header.
-    bool hasHeaders() const { return !m_headerNames.empty(); }
+    bool hasHeaders() const { return m_hasHeaders; }
 
-    /// Compiles every file of the hand-in, on all jobs, so that the rest only links.
+    /// Compiles every file of the hand-in, on all jobs, so that the rest only links. Headers with
+    /// which the base does not compile are left out from then on.
     void compileAll(const std::function<void(double fraction)> &progress);
 
     /// What was built around: forwarded includes, base files left out, extra files.
@@ -66,11 +67,13 @@ private:
     std::vector<Object> compileUnits(const std::vector<std::pair<std::string, Origin>> &units);
     std::vector<std::filesystem::path> extraObjects();
     const UnitSource *studentSource(const std::string &unit) const;
+    std::optional<BuildFailure> brokenBase();
 
     Compiler &m_compiler;
     int m_jobs;
-    HeaderSet m_headers;                              ///< the base's with the hand-in's laid over
-    std::map<std::string, std::string> m_headerNames; ///< staged path to the hand-in's
+    HeaderSet m_headers; ///< the base's with the hand-in's laid over
+    bool m_hasHeaders = false;
+    std::map<std::string, std::string> m_headerNames; ///< staged path to what people call it
     std::map<std::string, UnitSource> m_sources;      ///< of the hand-in, by base name
     std::vector<UnitSource> m_extras;
     std::vector<Note> m_notes;

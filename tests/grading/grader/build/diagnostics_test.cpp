@@ -48,6 +48,29 @@ TEST(Diagnostics, NameWhatIsMissingAndWhereItProbablyIs) {
     }
 }
 
+TEST(Diagnostics, SayThatAHeaderWasNotSent) {
+    const BuildFailure failure =
+        parseDiagnostics("scene.cpp",
+                         "In file included from src/scene.cpp:2:\n"
+                         "/hand-in/include/nori/scene.h:5:10: fatal error: utils.h: No such file "
+                         "or directory\n",
+                         {{"/hand-in/include/nori/scene.h", "p2/src/scene.h"}});
+    EXPECT_EQ(failure.describe(), "scene.cpp does not compile: p2/src/scene.h:5: utils.h: No such "
+                                  "file or directory (\"utils.h\" is not among the files)");
+}
+
+TEST(Diagnostics, DoNotBlameTheClassOfTheFunctionBefore) {
+    const BuildFailure failure =
+        parseDiagnostics("mesh.cpp",
+                         "src/mesh.cpp: In destructor 'virtual nori::Mesh::~Mesh()':\n"
+                         "src/mesh.cpp:13:5: error: expected ';' before 'delete'\n"
+                         "src/mesh.cpp: At global scope:\n"
+                         "src/mesh.cpp:90:9: error: 'helper' was not declared in this scope\n",
+                         {});
+    EXPECT_EQ(failure.missing, "helper");
+    EXPECT_EQ(failure.probablyIn, "");
+}
+
 TEST(Diagnostics, ShowTheHandInsOwnPath) {
     const BuildFailure failure =
         parseDiagnostics("warp.cpp", "src/warp.cpp:12:5: error: expected ';' before 'return'\n",

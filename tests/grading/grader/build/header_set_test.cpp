@@ -39,6 +39,17 @@ TEST(HeaderSet, ForwardsWrongCaseAndBackslashes) {
               (std::set<std::string>{"nori/common.h", "nori/mesh.h"}));
 }
 
+TEST(HeaderSet, ForwardsTheFolderInWrongCaseAndTheFirstLineAfterAByteOrderMark) {
+    HeaderSet headers = someHeaders();
+    const std::set<std::string> added = addForwards(
+        "\xEF\xBB\xBF#include <Nori/emitter.h>\n#include \"NORI\\Mesh.h\"\n#include \"Helper.h\"\n"
+        "#include \"helper.h\"\n#include <other/mesh.h>\n",
+        headers);
+    EXPECT_EQ(added, (std::set<std::string>{"Nori/emitter.h", "NORI\\Mesh.h", "Helper.h"}));
+    EXPECT_EQ(headers.forwards.at("Nori/emitter.h"), "nori/emitter.h");
+    EXPECT_EQ(headers.forwards.at("Helper.h"), "nori/helper.h");
+}
+
 TEST(HeaderSet, EndsOnIncludesInACircle) {
     const HeaderSet headers = overlayHeaders(
         {{"nori/a.h", "#include <nori/b.h>\n"}, {"nori/b.h", "#include <nori/a.h>\n"}}, {});

@@ -85,6 +85,45 @@ TEST_F(VariantBuilderTest, LetsTheStarterStandInForAFileThatDoesNotCompile) {
     EXPECT_EQ(variant.failures.size(), 1u);
 }
 
+TEST_F(VariantBuilderTest, JudgesWhatNeedsNoBrokenHeaderWithoutIt) {
+    Compiler compiler(s_sandbox, s_cache);
+    const std::string scene =
+        "#include \"utils.h\"\n" + starterBase().headers.at("nori/scene.h"); // not handed in
+    const Submission submission =
+        handIn({source("warp.cpp", referenceUnit("warp.cpp")),
+                source("scene.cpp", referenceUnit("scene.cpp")),
+                {"src/scene.h", "scene.h", FileRole::Header, "", scene},
+                {"src/helper.h", "helper.h", FileRole::Header, "", "int helper();\n"}});
+    VariantBuilder builder(compiler, submission, 2);
+    builder.compileAll([](double) {});
+    const std::vector<Note> notes = builder.notes();
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].text.find("src/scene.h:1: utils.h: No such file"), std::string::npos)
+        << notes[0].text;
+    EXPECT_FALSE(builder.failureOf("warp.cpp").has_value());
+    EXPECT_TRUE(builder.failureOf("scene.cpp").has_value());
+    EXPECT_TRUE(builder.build({"student", {{"warp.cpp", Origin::Student}}}).executable.has_value());
+}
+
+TEST_F(VariantBuilderTest, TakesTheHandInsOwnFileWhereItsHeaderBreaksTheBases) {
+    Compiler compiler(s_sandbox, s_cache);
+    const auto renamed = [](std::string text) {
+        for (std::size_t at = 0; (at = text.find("m_emitters", at)) != std::string::npos;)
+            text.replace(at, 10, "m_luces");
+        return text;
+    };
+    const Submission submission =
+        handIn({source("warp.cpp", referenceUnit("warp.cpp")),
+                source("scene.cpp", renamed(starterBase().units.at("scene.cpp"))),
+                {"src/scene.h", "scene.h", FileRole::Header, "",
+                 renamed(starterBase().headers.at("nori/scene.h"))}});
+    VariantBuilder builder(compiler, submission, 2);
+    builder.compileAll([](double) {});
+    EXPECT_TRUE(builder.notes().empty());
+    EXPECT_FALSE(builder.failureOf("scene.cpp").has_value());
+    EXPECT_TRUE(builder.build({"student", {{"warp.cpp", Origin::Student}}}).executable.has_value());
+}
+
 TEST_F(VariantBuilderTest, LinksExtraFilesOnlyWhereTheyAreNeeded) {
     Compiler compiler(s_sandbox, s_cache);
     std::string warp = referenceUnit("warp.cpp");
