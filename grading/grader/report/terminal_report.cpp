@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "text_layout.h"
 
@@ -148,15 +149,24 @@ void writeNotes(const SubmissionResult &result, const TerminalStyle &style, std:
                       style, text);
 }
 
-/// `a/b/` if that is the folder that all files are in, empty if there is none.
+/// `a/b/` if that is the folder that all files are in, empty if there is none. What was ignored,
+/// such as macOS's own folder, does not count where anything else is there.
 std::string commonFolder(const std::vector<FileUse> &files) {
-    std::string common = files.empty() ? "" : files.front().path;
+    const auto counts = [](const FileUse &file) {
+        return file.use != "ignored";
+    };
+    const bool all = std::none_of(files.begin(), files.end(), counts);
+    std::optional<std::string> common;
     for (const FileUse &file : files) {
+        if (!all && !counts(file))
+            continue;
+        if (!common)
+            common = file.path;
         const auto end =
-            std::mismatch(common.begin(), common.end(), file.path.begin(), file.path.end());
-        common.erase(end.first, common.end());
+            std::mismatch(common->begin(), common->end(), file.path.begin(), file.path.end());
+        common->erase(end.first, common->end());
     }
-    return common.substr(0, common.rfind('/') + 1);
+    return common ? common->substr(0, common->rfind('/') + 1) : "";
 }
 
 void writeNames(const std::string &label, const std::vector<std::string> &names,
@@ -175,7 +185,8 @@ void writeFiles(const SubmissionResult &result, const TerminalStyle &style, std:
     std::vector<std::string> used;
     std::vector<std::string> ignored;
     for (const FileUse &file : result.files) {
-        const std::string name = file.path.substr(folder.size());
+        const bool inside = file.path.compare(0, folder.size(), folder) == 0;
+        const std::string name = inside ? file.path.substr(folder.size()) : file.path;
         if (file.use == "ignored")
             ignored.push_back(name + (file.reason.empty() ? "" : " (" + file.reason + ")"));
         else if (file.use == "source" || file.use == "extra" || file.use == "header")

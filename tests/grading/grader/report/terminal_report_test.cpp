@@ -33,6 +33,20 @@ TEST(TerminalReport, GivesNoPointsForACheck) {
     EXPECT_NE(text.find("1 of 4 items right"), std::string::npos);
 }
 
+TEST(TerminalReport, FindsTheCommonFolderBesideWhatWasIgnored) {
+    SubmissionResult result = support::sampleResult();
+    result.files = {{"__MACOSX/", "ignored", "added by macOS"},
+                    {"p2/src/warp.cpp", "source", ""},
+                    {"p2/src/old.cpp", "ignored", "a copy"},
+                    {"p2/figures/a.png", "figure", ""}};
+    const std::string text = terminalReport(result, {});
+    EXPECT_NE(text.find("in: p2/\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("used: src/warp.cpp\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("ignored: __MACOSX/ (added by macOS), src/old.cpp (a copy)"),
+              std::string::npos)
+        << text;
+}
+
 TEST(TerminalReport, KeepsToTheWidthOfTheTerminal) {
     for (const std::size_t width : {40u, 60u, 80u, 120u}) {
         SubmissionResult result = support::sampleResult();
