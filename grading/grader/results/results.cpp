@@ -66,9 +66,11 @@ bool anyVerdict(const SubmissionResult &result, Verdict verdict) {
 } // namespace
 
 bool needsHuman(const SubmissionResult &result) {
+    // Whose a hand-in is, and which of two files counts, is nothing to ask of one's own work.
     return anyVerdict(result, Verdict::Human) ||
-           std::any_of(result.notes.begin(), result.notes.end(),
-                       [](const Note &note) { return note.level == Note::Level::Human; });
+           (result.marked &&
+            std::any_of(result.notes.begin(), result.notes.end(),
+                        [](const Note &note) { return note.level == Note::Level::Human; }));
 }
 
 bool hasInfraFailure(const SubmissionResult &result) {

@@ -116,7 +116,7 @@ struct RunResult {
     std::vector<SubmissionResult> submissions;
 };
 
-/// True if someone has to look at it: a check or a note says so.
+/// True if someone has to look at it: a check says so or, where marks are given, a note.
 bool needsHuman(const SubmissionResult &result);
 
 /// True if a part could not be tested through our own fault: the marks are not final.

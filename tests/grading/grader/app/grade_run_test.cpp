@@ -23,7 +23,7 @@ protected:
         m_rubric.items[0].id = "warp.disk";
         m_rubric.items[0].title = "Disk";
         m_rubric.items[0].points = 100;
-        m_rubric.items[0].checks = {{"warp.disk.density", Severity::Visible, 1, 0.01, 0.1, false}};
+        m_rubric.items[0].checks = {{"warp.disk.density", Severity::Visible, 1, 0.01, 0.1}};
         fs::create_directories(m_folder);
         m_command.out = m_folder / "out";
         m_command.seed = "0000000000000000000000000000002a";
@@ -98,6 +98,18 @@ TEST_F(GradeRunTest, TellsACheckThatFails) {
     EXPECT_TRUE(results()["submissions"][0]["total"].is_null());
     EXPECT_EQ(run(giving(Verdict::Pass)), ExitCode::Done);
     EXPECT_EQ(run(giving(Verdict::Inconclusive)), ExitCode::Done);
+}
+
+TEST_F(GradeRunTest, AsksNobodyWhoseTheWorkIsThatSomeoneChecks) {
+    addHandIn("my_work");
+    const auto withNotes = [this](const Submission &submission, const ProgressCallback &progress) {
+        SubmissionResult result = giving(Verdict::Pass)(submission, progress);
+        result.notes = submission.notes;
+        return result;
+    };
+    EXPECT_EQ(run(withNotes), ExitCode::NeedsHuman);
+    m_command.marked = false;
+    EXPECT_EQ(run(withNotes), ExitCode::Done);
 }
 
 TEST_F(GradeRunTest, GoesOnAfterAHandInThatCannotBeRead) {
