@@ -17,7 +17,7 @@ void print(const RubricItem &item) {
     for (const RubricCheck &check : item.checks)
         fmt::print("  {:<34} {:<8} weight {:g}  {:g} to {:g}{}\n", check.id,
                    severityName(check.severity), check.weight, check.tolerance, check.gross,
-                   check.required ? "  required" : "");
+                   check.keeps < 1 ? fmt::format("  keeps {}", check.keeps) : "");
 }
 
 } // namespace

@@ -23,7 +23,7 @@ RubricCheck resolve(const KnownCheck &known, const CheckOverride *change) {
     check.weight = change->weight.value_or(check.weight);
     check.tolerance = change->tolerance.value_or(check.tolerance);
     check.gross = change->gross.value_or(check.gross);
-    check.required = change->required.value_or(check.required);
+    check.keeps = change->keeps.value_or(check.keeps);
     if ((change->tolerance || change->gross) && check.tolerance >= check.gross)
         throw GraderError(fmt::format("{}: {}: tolerance {} must be below gross {}", change->where,
                                       check.id, check.tolerance, check.gross));

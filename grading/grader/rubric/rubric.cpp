@@ -49,7 +49,7 @@ CheckOverride readCheck(TomlTable table) {
     check.weight = table.findNumber("weight", 0, kLargestWeight);
     check.tolerance = table.findNumber("tolerance", 1e-9, kLargestEffect);
     check.gross = table.findNumber("gross", 1e-9, kLargestEffect);
-    check.required = table.findFlag("required");
+    check.keeps = table.findNumber("keeps", 0, 1);
     table.rejectUnknownKeys();
     return check;
 }

@@ -15,10 +15,10 @@ namespace grader {
 struct RubricCheck {
     std::string id;
     Severity severity = Severity::Visible;
-    double weight = 1;     ///< relative to the other visible checks of the item, >= 0
-    double tolerance = 0;  ///< effect up to which nothing is lost
-    double gross = 0;      ///< effect from which all is lost; log-linear in between
-    bool required = false; ///< the item keeps no larger a fraction than this check does
+    double weight = 1;    ///< relative to the other visible checks of the item, >= 0
+    double tolerance = 0; ///< effect up to which nothing is lost
+    double gross = 0;     ///< effect from which all is lost; log-linear in between
+    double keeps = 1;     ///< most that is left of the item where this check fails altogether
 };
 
 /// What a rubric says of one check; the rest is RubricCheck's and the check table's default.
@@ -29,7 +29,7 @@ struct CheckOverride {
     std::optional<double> weight;
     std::optional<double> tolerance;
     std::optional<double> gross;
-    std::optional<bool> required;
+    std::optional<double> keeps;
 };
 
 struct RubricItem {

@@ -67,11 +67,11 @@ void warnOfItem(const RubricItem &item, std::vector<std::string> &warnings) {
                         "be lost",
                         item.id, item.points * item.latentFraction, item.points));
     for (const RubricCheck &check : item.checks) {
-        if (check.required && check.severity != Severity::Visible)
+        if (check.keeps < 1 && check.severity != Severity::Visible)
             warnings.push_back(fmt::format(
-                "{}: required, and so it can cost the whole item although it is not visible",
-                check.id));
-        if (check.weight == 0 && !check.required && check.severity != Severity::Blemish)
+                "{}: keeps {}, and so it can cost {:.0f} % of the item although it is not visible",
+                check.id, check.keeps, 100 * (1 - check.keeps)));
+        if (check.weight == 0 && check.keeps == 1 && check.severity != Severity::Blemish)
             warnings.push_back(fmt::format("{}: weight 0, so it costs nothing", check.id));
     }
 }

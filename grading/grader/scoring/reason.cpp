@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace grader {
 
@@ -28,6 +29,10 @@ bool costs(const CheckResult &check) {
     return check.severity != Severity::Blemish && isDefect(check.verdict) && check.score < 1;
 }
 
+bool isBuild(Verdict verdict) {
+    return verdict == Verdict::Missing || verdict == Verdict::BuildError;
+}
+
 bool isRemark(const CheckResult &check) {
     return isDefect(check.verdict) && !costs(check);
 }
@@ -35,7 +40,11 @@ bool isRemark(const CheckResult &check) {
 /// What a lost fraction of this check weighs; visible defects are told before latent ones.
 double importance(const RubricCheck &rule, const CheckResult &check) {
     const double weight = rule.severity == Severity::Visible ? 1e6 : 1;
-    return (rule.required ? 2 : 1) * weight * (1 - check.score) * std::max(rule.weight, 1e-3);
+    return (2 - rule.keeps) * weight * (1 - check.score) * std::max(rule.weight, 1e-3);
+}
+
+std::string plural(std::size_t count, const char *one, const char *many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 std::string defects(const RubricItem &item, const ItemResult &result) {
@@ -52,15 +61,19 @@ std::string defects(const RubricItem &item, const ItemResult &result) {
     if (check.severity == Severity::Latent)
         text += " (No scene of the assignment shows this; it costs little.)";
     std::size_t others = 0;
-    for (const CheckResult &other : result.checks)
-        others += costs(other) && other.message != check.message ? 1 : 0;
-    if (others > 0)
-        text += fmt::format(" And {} more.", others);
+    std::set<std::string> messages;
+    for (const CheckResult &other : result.checks) {
+        if (costs(other) && other.message != check.message) {
+            ++others;
+            messages.insert(other.message);
+        }
+    }
+    // A file that is missing or does not compile fails many checks with the same words.
+    if (messages.size() == 1 && isBuild(check.verdict))
+        text += (text.back() == '.' ? " " : ". ") + *messages.begin();
+    else if (others > 0)
+        text += fmt::format(" And {} more.", plural(others, "check", "checks"));
     return text;
-}
-
-std::string plural(std::size_t count, const char *one, const char *many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 } // namespace

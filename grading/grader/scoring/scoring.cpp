@@ -43,8 +43,7 @@ double keptFraction(const RubricItem &item, const std::vector<CheckResult> &chec
     double ceiling = 1;
     for (std::size_t i = 0; i < checks.size(); ++i) {
         const RubricCheck &rule = item.checks[i];
-        if (rule.required)
-            ceiling = std::min(ceiling, checks[i].score);
+        ceiling = std::min(ceiling, rule.keeps + (1 - rule.keeps) * checks[i].score);
         if (rule.severity == Severity::Blemish)
             continue;
         Share &share = rule.severity == Severity::Visible ? visible : latent;

@@ -25,8 +25,8 @@ Verdict worseVerdict(Verdict a, Verdict b);
 ///          - min(latentFraction, sum(weight * (1 - score)) / sum(visible weight))  over latent
 ///          ones
 ///
-/// held between 0 and the least score of a required check; blemishes do not enter. A check without
-/// an outcome counts as Infra.
+/// held between 0 and the least keeps + (1 - keeps) * score of a check; blemishes do not enter. A
+/// check without an outcome counts as Infra.
 ///
 /// \param outcomes  in any order; those of other items are passed over
 ItemResult scoreItem(const RubricItem &item, const std::vector<CheckResult> &outcomes);

@@ -146,7 +146,7 @@ TEST(Rubric, NamesAFileThatIsNotThere) {
 TEST(ResolveChecks, GivesAnItemTheTablesChecksWithTheRubricsChanges) {
     Rubric rubric = parseRubric(kHead + kItem +
                                     "[[item.check]]\nid = \"warp.disk.samples\"\nweight = 3\n"
-                                    "gross = 0.5\nseverity = \"latent\"\nrequired = true\n",
+                                    "gross = 0.5\nseverity = \"latent\"\nkeeps = 0.5\n",
                                 "r.toml");
     resolveChecks(rubric, knownChecks());
 
@@ -157,12 +157,12 @@ TEST(ResolveChecks, GivesAnItemTheTablesChecksWithTheRubricsChanges) {
     EXPECT_EQ(checks[0].tolerance, 0.001);
     EXPECT_EQ(checks[0].gross, 0.1);
     EXPECT_EQ(checks[0].severity, Severity::Visible);
-    EXPECT_FALSE(checks[0].required);
+    EXPECT_EQ(checks[0].keeps, 1);
     EXPECT_EQ(checks[1].weight, 3);
     EXPECT_EQ(checks[1].tolerance, 0.002);
     EXPECT_EQ(checks[1].gross, 0.5);
     EXPECT_EQ(checks[1].severity, Severity::Latent);
-    EXPECT_TRUE(checks[1].required);
+    EXPECT_EQ(checks[1].keeps, 0.5);
 }
 
 std::string resolveError(const std::string &text) {

@@ -104,12 +104,26 @@ TEST(ScoreItem, CostsAtMostTheLatentFractionForLatentDefects) {
 
 TEST(ScoreItem, KeepsNoMoreThanARequiredCheckDoes) {
     RubricItem item = itemWith({rule("a"), rule("b"), rule("c")});
-    item.checks[0].required = true;
+    item.checks[0].keeps = 0;
     const ItemResult result =
         scoreItem(item, {outcome("a", Verdict::Missing), outcome("b", Verdict::Pass),
                          outcome("c", Verdict::Pass)});
     EXPECT_EQ(result.points, 0);
     EXPECT_EQ(result.verdict, Verdict::Missing);
+}
+
+TEST(ScoreItem, KeepsAtMostAFractionWhereACoreCheckFails) {
+    RubricItem item = itemWith({rule("a"), rule("b"), rule("c"), rule("d"), rule("e")});
+    item.checks[0].keeps = 0.6;
+    std::vector<CheckResult> outcomes = {outcome("a", Verdict::Fail, 5),
+                                         outcome("b", Verdict::Pass), outcome("c", Verdict::Pass),
+                                         outcome("d", Verdict::Pass), outcome("e", Verdict::Pass)};
+    EXPECT_EQ(scoreItem(item, outcomes).points, 0.6 * item.points);
+    outcomes[0] = outcome("a", Verdict::Pass);
+    EXPECT_EQ(scoreItem(item, outcomes).points, item.points);
+    for (std::size_t i = 1; i < 4; ++i)
+        outcomes[i] = outcome(std::string(1, static_cast<char>('a' + i)), Verdict::Fail, 5);
+    EXPECT_EQ(scoreItem(item, outcomes).points, 0.4 * item.points); // without a ceiling: by weight
 }
 
 TEST(ScoreItem, SaysWhatWasLostMost) {
@@ -118,7 +132,18 @@ TEST(ScoreItem, SaysWhatWasLostMost) {
                                          outcome("b", Verdict::Fail, 0.9),
                                          outcome("c", Verdict::Fail, 5)};
     outcomes[1].diagnosis = "Divide by the area.";
-    EXPECT_EQ(scoreItem(item, outcomes).reason, "About b. Divide by the area. And 2 more.");
+    EXPECT_EQ(scoreItem(item, outcomes).reason, "About b. Divide by the area. And 2 checks more.");
+}
+
+TEST(ScoreItem, NamesBothFilesThatAreMissing) {
+    const RubricItem item = itemWith({rule("a"), rule("b"), rule("c")});
+    std::vector<CheckResult> outcomes = {outcome("a", Verdict::BuildError),
+                                         outcome("b", Verdict::Missing),
+                                         outcome("c", Verdict::Missing)};
+    outcomes[0].message = "mesh.cpp does not compile";
+    outcomes[1].message = outcomes[2].message = "area.cpp was not handed in.";
+    EXPECT_EQ(scoreItem(item, outcomes).reason,
+              "mesh.cpp does not compile. area.cpp was not handed in.");
 }
 
 TEST(ScoreItem, CountsACheckWithoutOutcomeAsOurFailure) {
@@ -212,7 +237,7 @@ public:
             constexpr Severity severities[] = {Severity::Blemish, Severity::Latent,
                                                Severity::Visible};
             RubricCheck check = rule(std::to_string(i), severities[below(3)], 3 * unit());
-            check.required = below(8) == 0;
+            check.keeps = below(4) == 0 ? unit() : 1;
             check.tolerance = 0.001 + 0.1 * unit();
             check.gross = check.tolerance + unit();
             item.checks.push_back(check);
