@@ -39,6 +39,7 @@ Examples:
   norigrade grade p2_123456_654321.zip
   norigrade grade handins/*.zip --out results --jobs 8
   norigrade grade hand_in/ --rubric my_rubric.toml --seed 2a
+  norigrade grade hand_in.zip --item area_light  one item, with the result it has in a whole run
   norigrade grade hand_in.zip --json | jq '.submissions[0].total')";
 
 constexpr char kCheckExamples[] = R"(
@@ -116,6 +117,10 @@ CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
         paths->expected(1);
     verb->add_option("--rubric", command.rubric, "TOML file (default: the assignment's own)")
         ->type_name("FILE");
+    verb->add_option("--item", command.items,
+                     "Only this rubric item; may be given several times (default: all)")
+        ->type_name("ID")
+        ->allow_extra_args(false);
     verb->add_option("--out", command.out,
                      marked ? "Folder for results.json and the pages (default: a new one below "
                               "norigrade-results/)"

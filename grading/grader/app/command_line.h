@@ -12,9 +12,10 @@ namespace grader {
 struct GradeCommand {
     bool marked = true;
     std::vector<std::filesystem::path> paths;
-    std::filesystem::path rubric; ///< empty: the assignment's own
-    std::filesystem::path out;    ///< empty: a new folder for `grade`, nothing for `check`
-    std::string seed;             ///< 32 lower-case hexadecimal digits; empty: a fresh one
+    std::filesystem::path rubric;   ///< empty: the assignment's own
+    std::filesystem::path out;      ///< empty: a new folder for `grade`, nothing for `check`
+    std::string seed;               ///< 32 lower-case hexadecimal digits; empty: a fresh one
+    std::vector<std::string> items; ///< rubric item ids; empty: all
     int jobs = 1;
     bool json = false;
     bool quiet = false;

@@ -39,15 +39,17 @@ std::string pathMistake(const GradeCommand &command) {
     return {};
 }
 
-ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric) {
+/// \param asked  the items of the rubric that are asked for
+ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric, const Rubric &asked) {
     const std::atomic<bool> &interrupted = catchInterrupts();
     const Sandbox sandbox;
     Engine engine(sandbox, {.seedHex = command.seed,
                             .jobs = command.jobs,
                             .rubric = &rubric,
+                            .asked = &asked,
                             .interrupted = &interrupted});
     const Provenance provenance = provenanceOf(rubric);
-    const GradeRun run{command, rubric, provenance, interrupted, sandboxLevelName(sandbox.level())};
+    const GradeRun run{command, asked, provenance, interrupted, sandboxLevelName(sandbox.level())};
     return gradeAll(run, [&](const Submission &submission, const ProgressCallback &progress) {
         return engine.grade(submission, progress);
     });
@@ -59,8 +61,10 @@ ExitCode run(const GradeCommand &command) {
     if (const std::string mistake = pathMistake(command); !mistake.empty())
         return run(UsageMistake{mistake});
     Rubric rubric;
+    Rubric asked;
     try {
         rubric = loadRubric(command.rubric);
+        asked = withItems(rubric, command.items);
     } catch (const GraderError &error) {
         return run(UsageMistake{error.what()});
     }
@@ -70,7 +74,7 @@ ExitCode run(const GradeCommand &command) {
     if (decided.out.empty() && decided.marked)
         decided.out = newResultsFolder();
     try {
-        return gradeWith(decided, rubric);
+        return gradeWith(decided, rubric, asked);
     } catch (const SandboxTooWeak &error) {
         complain(error.what());
         return ExitCode::SandboxTooLow;

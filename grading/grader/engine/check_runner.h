@@ -25,6 +25,9 @@ public:
     std::vector<CheckResult> runGroup(const Group &group, const std::vector<const Check *> &checks,
                                       const std::function<void()> &checkDone);
 
+    /// Whether a check of any group that was run has failed.
+    bool foundFault() const { return !m_atFault.empty(); }
+
     /// Wall seconds that probes have run.
     double sampleSeconds() const { return m_sampleSeconds; }
 

@@ -21,6 +21,7 @@ struct EngineOptions {
     std::string seedHex;            ///< of the run; same seed, same numbers, whatever `jobs` is
     int jobs = 2;                   ///< boxes that run at the same time
     const Rubric *rubric = nullptr; ///< with its checks resolved
+    const Rubric *asked = nullptr;  ///< the part of it that is graded: see withItems()
     const std::atomic<bool> *interrupted = nullptr; ///< polled between checks; may be null
 };
 
@@ -49,6 +50,11 @@ public:
     SubmissionResult grade(const Submission &submission, const ProgressCallback &progress);
 
 private:
+    /// The results of all checks that are asked for, and where one of them fails, of what they
+    /// stand on: that may be at fault.
+    std::vector<CheckResult> runChecks(VariantBuilder &builder, const Submission &submission,
+                                       const ProgressCallback &progress, double &sampleSeconds);
+
     const Sandbox &m_sandbox;
     EngineOptions m_options;
     Cache m_cache;

@@ -76,4 +76,28 @@ void resolveChecks(Rubric &rubric, const std::vector<KnownCheck> &table) {
     }
 }
 
+Rubric withItems(const Rubric &rubric, const std::vector<std::string> &ids) {
+    if (ids.empty())
+        return rubric;
+    std::vector<std::string> known;
+    for (const RubricItem &item : rubric.items)
+        known.push_back(item.id);
+    for (const std::string &id : ids) {
+        if (std::find(known.begin(), known.end(), id) == known.end())
+            throw GraderError(fmt::format(R"(the rubric "{}" has no item "{}"{})", rubric.id, id,
+                                          suggestion(id, known)));
+    }
+    Rubric result = rubric;
+    result.items.clear();
+    double points = 0;
+    for (const RubricItem &item : rubric.items) {
+        if (std::find(ids.begin(), ids.end(), item.id) == ids.end())
+            continue;
+        result.items.push_back(item);
+        points += item.points;
+    }
+    result.cap = std::min(rubric.cap, points);
+    return result;
+}
+
 } // namespace grader

@@ -82,6 +82,11 @@ struct KnownCheck {
 ///                      another item, bounds that cross, and an item without a check
 void resolveChecks(Rubric &rubric, const std::vector<KnownCheck> &table);
 
+/// The rubric with only these items, in its own order, and a cap that they can reach; all of it if
+/// `ids` is empty.
+/// \throws GraderError  with the nearest known item, if there is no such item
+Rubric withItems(const Rubric &rubric, const std::vector<std::string> &ids);
+
 /// How a rubric adds up.
 struct RubricSummary {
     std::string text; ///< `mandatory 90, extras 30, cap 100, extras fill to the cap`

@@ -31,10 +31,11 @@ std::string printed(const Arguments &arguments) {
 TEST(CommandLine, ReadsGradeWithOptionsInAnyOrder) {
     const GradeCommand command =
         gradeCommand({"grade", "--jobs", "3", "a.zip", "--out", "o", "b c", "--json", "--rubric",
-                      "r.toml", "--seed", "2A", "--quiet"});
+                      "r.toml", "--seed", "2A", "--quiet", "--item", "warp.disk", "--item", "x"});
     EXPECT_TRUE(command.marked);
     EXPECT_EQ(command.paths, (std::vector<std::filesystem::path>{"a.zip", "b c"}));
     EXPECT_EQ(command.rubric, "r.toml");
+    EXPECT_EQ(command.items, (std::vector<std::string>{"warp.disk", "x"}));
     EXPECT_EQ(command.out, "o");
     EXPECT_EQ(command.jobs, 3);
     EXPECT_EQ(command.seed, "0000000000000000000000000000002a");
@@ -45,6 +46,7 @@ TEST(CommandLine, ReadsGradeWithOptionsInAnyOrder) {
 TEST(CommandLine, LeavesWhatIsNotGivenEmpty) {
     const GradeCommand command = gradeCommand({"grade", "a.zip"});
     EXPECT_TRUE(command.rubric.empty());
+    EXPECT_TRUE(command.items.empty());
     EXPECT_TRUE(command.out.empty());
     EXPECT_TRUE(command.seed.empty());
     EXPECT_GE(command.jobs, 1);

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include <exam/command.h>
+#include <exam/grading.h>
+#include <exam/hand_in.h>
 
 namespace {
 
@@ -52,6 +54,24 @@ TEST_F(Norigrade, WritesTheSameResultsForTheSameSeedHoweverManyJobsRun) {
         EXPECT_NE(outcome.output.find("100 of 100"), std::string::npos) << outcome.output;
     }
     EXPECT_EQ(withoutTimes(m_scratch / "1"), withoutTimes(m_scratch / "2"));
+}
+
+TEST_F(Norigrade, GradesOneItemAsInAWholeRun) {
+    // The triangle is wrong, and the area light samples with it: what it stands on is charged
+    // there.
+    const std::filesystem::path submissions =
+        std::filesystem::path(NORI_SOURCE_DIR) / "tests" / "submissions";
+    const exam::Case which = exam::findCases(submissions, "triangle_without_sqrt").at(0);
+    const std::filesystem::path handIn = exam::compose(submissions, which, NORIGRADE, m_scratch);
+    const exam::Outcome outcome =
+        run({"grade", handIn.string(), "--seed", "5", "--json", "--item", "area_light"});
+    const exam::Graded graded = exam::parseResults(outcome.output);
+    ASSERT_EQ(graded.items.size(), 1u);
+    EXPECT_EQ(graded.items[0].id, "area_light");
+    EXPECT_EQ(graded.total, 30);
+    const exam::Outcome unknown = run({"grade", handIn.string(), "--item", "area"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.errors.find("no item \"area\""), std::string::npos) << unknown.errors;
 }
 
 TEST_F(Norigrade, SaysWhatIsWrongWithItsArguments) {

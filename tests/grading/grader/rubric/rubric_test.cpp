@@ -202,6 +202,28 @@ TEST(Summary, AddsUpTheAssignmentsRubric) {
               "of 30 points of extras, 10 count for who has all mandatory points");
 }
 
+TEST(WithItems, LeavesTheItemsThatAreNamed) {
+    const Rubric rubric =
+        readRubric(std::string(NORI_SOURCE_DIR) + "/grading/rubrics/assignment-2.toml");
+    EXPECT_EQ(withItems(rubric, {}).items.size(), rubric.items.size());
+    const Rubric part = withItems(rubric, {"area_light", "warp.sphere"});
+    ASSERT_EQ(part.items.size(), 2u);
+    EXPECT_EQ(part.items[0].id, "warp.sphere");
+    EXPECT_EQ(part.cap, 40);
+}
+
+TEST(WithItems, TellsOfAnItemThatIsNotThere) {
+    Rubric rubric = parseRubric(kHead + kItem, "r.toml");
+    rubric.items[0].id = "warp.disk";
+    try {
+        withItems(rubric, {"warp.disc"});
+        FAIL() << "taken";
+    } catch (const GraderError &error) {
+        EXPECT_NE(std::string(error.what()).find("\"warp.disk\""), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Summary, HasThePointsThatTheHandoutGives) {
     const Rubric rubric =
         readRubric(std::string(NORI_SOURCE_DIR) + "/grading/rubrics/assignment-2.toml");
