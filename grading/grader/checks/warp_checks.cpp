@@ -4,6 +4,7 @@
 #include <battery/inputs.h>
 #include <battery/nearest_mistake.h>
 #include <battery/range.h>
+#include <battery/steps.h>
 #include <battery/stratified.h>
 #include <grader/checks/answer.h>
 #include <grader/checks/warp_samples.h>
@@ -87,12 +88,36 @@ CheckResult judgeOutputs(const WarpEntry &warp, const battery::Batch &batch,
     return {};
 }
 
-std::string edgeRemark(const WarpEntry &warp, const std::vector<Output> &outputs) {
-    const battery::RangeResult edge = battery::judgeRange(warp, battery::edgeInputs(), outputs);
-    return edge.bad() == 0 ? ""
-                           : fmt::format(" At {} of {} edge inputs, such as a sample of exactly 0, "
-                                         "it leaves the domain.",
-                                         edge.bad(), edge.total);
+/// Outputs on lines. \return  a failure, or an empty message
+CheckResult judgeContinuity(const WarpEntry &warp, double parameter,
+                            const std::vector<Output> &outputs) {
+    const battery::StepResult steps = battery::judgeSteps(warp, parameter, outputs);
+    if (!steps.isStepped())
+        return {};
+    CheckResult result = makeResult(
+        Verdict::Fail,
+        fmt::format("The points lie on about {:.0f} lines of constant {}{}.", 1 / steps.gap,
+                    steps.coordinate, atParameter(warp, parameter)),
+        "A random number is rounded: is it turned into an integer, a degree or a pixel?");
+    result.effect = std::min(1.0, 10 * steps.gap);
+    return result;
+}
+
+/// Inputs such as exactly 0, which an image may never draw.
+CheckResult judgeEdgesAt(CheckContext &context, const WarpEntry &warp, double parameter) {
+    const std::vector<Input> inputs = battery::edgeInputs();
+    const WarpAnswer answer = askWarp(context, warp, parameter, {inputs});
+    if (answer.failure)
+        return *answer.failure;
+    const battery::RangeResult edge = battery::judgeRange(warp, inputs, answer.outputs[0]);
+    if (edge.bad() > 0)
+        return rangeResult(warp, edge, inputs, atParameter(warp, parameter));
+    CheckResult result =
+        makeResult(Verdict::Pass,
+                   fmt::format("None of {} edge samples, such as exactly 0, leaves the domain{}.",
+                               edge.total, atParameter(warp, parameter)));
+    result.effect = 0;
+    return result;
 }
 
 /// Stratified inputs: far sharper than independent ones, against a fixed bound.
@@ -125,7 +150,6 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
     CheckResult ended;
     battery::DistributionResult last;
     std::vector<Output> outputs;
-    std::string remark;
     const auto stop = [&](CheckResult result) {
         ended = std::move(result);
         statistics::StageResult stage;
@@ -138,11 +162,9 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
             battery::randomInputs(battery::kDistributionSamples * request.sampleFactor,
                                   context.seed("inputs", index)),
             kHiddenPairs, context.seed("pairs", index));
-        const WarpAnswer answer =
-            askWarp(context, warp, parameter, {batch.inputs, grid, battery::edgeInputs()});
+        const WarpAnswer answer = askWarp(context, warp, parameter, {batch.inputs, grid});
         if (answer.failure)
             return stop(*answer.failure);
-        remark = edgeRemark(warp, answer.outputs[2]);
         CheckResult wrong = judgeOutputs(warp, batch, grid, answer, where);
         if (!wrong.message.empty())
             return stop(std::move(wrong));
@@ -158,8 +180,8 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
     CheckResult result = makeResult(
         Verdict::Inconclusive,
         fmt::format("The density of the points differs from the true one by {:.2g} % rms{} (below "
-                    "{:.2g} % at 99.99 %).{}",
-                    100 * last.rmsError, where, 100 * last.rmsBound, remark));
+                    "{:.2g} % at 99.99 %).",
+                    100 * last.rmsError, where, 100 * last.rmsBound));
     result.effect = last.rmsError;
     result.mde = last.mde;
     result.p = last.pValue;
@@ -170,6 +192,8 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
             result.diagnosis = match.mistake->description;
         return result;
     }
+    if (CheckResult stepped = judgeContinuity(warp, parameter, outputs); !stepped.message.empty())
+        return stepped;
     CheckResult stratified = judgeStratified(context, warp, parameter);
     if (stratified.verdict != Verdict::Pass)
         return stratified;
@@ -268,6 +292,11 @@ std::vector<Check> warpChecks() {
         row.id = item + ".samples";
         row.what = fmt::format("{} gives points of the right density.", warp.warpFunction);
         row.run = atEveryParameter(warp, judgeSamplesAt);
+        checks.push_back(row);
+        row.id = item + ".edges";
+        row.what = fmt::format("{} stays in its domain for samples of exactly 0 and the like.",
+                               warp.warpFunction);
+        row.run = atEveryParameter(warp, judgeEdgesAt);
         checks.push_back(row);
         row.id = item + ".density";
         row.what = fmt::format("{} is the right density.", warp.densityFunction);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "steps.h"
+
+#include <battery/unit_square.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace battery {
+
+namespace {
+
+/// Coordinates within a smaller range are rounded too coarsely themselves: z of a narrow lobe.
+constexpr double kSmallestRange = 0.01;
+
+/// What a few operations in single precision may add up to.
+constexpr double kRoundings = 8.0;
+
+void lookAt(char coordinate, std::vector<double> values, StepResult &worst) {
+    if (values.size() < 4) {
+        return;
+    }
+    std::sort(values.begin(), values.end());
+    const std::size_t from = values.size() / 4;
+    const std::size_t to = values.size() - 1 - from;
+    const double range = values[to] - values[from];
+    if (!(range > kSmallestRange)) {
+        return;
+    }
+    double gap = 0.0;
+    for (std::size_t i = from; i < to; ++i) {
+        gap = std::max(gap, values[i + 1] - values[i]);
+    }
+    if (gap / range > worst.gap) {
+        worst.gap = gap / range;
+        worst.coordinate = coordinate;
+        worst.spacing = 1.0 / static_cast<double>(to - from);
+    }
+}
+
+} // namespace
+
+StepResult judgeSteps(const catalog::WarpEntry &entry, double a, std::span<const Output> outputs) {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    std::vector<double> conditions;
+    for (const Output &output : outputs) {
+        const catalog::Point p = toPoint(output);
+        if (catalog::placement(entry, p) != catalog::Placement::Inside) {
+            continue;
+        }
+        x.push_back(p.x);
+        y.push_back(p.y);
+        z.push_back(p.z);
+        conditions.push_back(entry.conditioning(p, a));
+    }
+    StepResult worst;
+    if (!conditions.empty()) {
+        const auto middle = conditions.begin() + static_cast<long>(conditions.size() / 2);
+        std::nth_element(conditions.begin(), middle, conditions.end());
+        worst.rounding = kRoundings * catalog::kFloatRounding * *middle;
+    }
+    lookAt('x', std::move(x), worst);
+    lookAt('y', std::move(y), worst);
+    lookAt('z', std::move(z), worst);
+    UnitSquarePoints square = toUnitSquare(entry, a, outputs);
+    lookAt('u', std::move(square.u), worst);
+    lookAt('v', std::move(square.v), worst);
+    return worst;
+}
+
+} // namespace battery
