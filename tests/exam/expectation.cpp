@@ -2,70 +2,42 @@
 #include "expectation.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <array>
 #include <functional>
 #include <utility>
 
+#include "toml_file.h"
+
 namespace exam {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path &file, const toml::node &node,
-                       const std::string &what) {
-    throw ExamError(fmt::format("{}:{}: {}", file.string(), node.source().begin.line, what));
-}
-
+/// The values of an expected.toml.
 class Reader {
 public:
-    explicit Reader(std::filesystem::path file) : m_file(std::move(file)) {}
+    explicit Reader(const TomlFile &file) : m_file(file) {}
 
-    std::string text(const toml::node &node) const {
-        const auto value = node.value_exact<std::string>();
-        if (!value)
-            fail(m_file, node, "expected a string");
-        return *value;
-    }
+    std::string text(const toml::node &node) const { return m_file.text(node); }
 
-    double number(const toml::node &node) const {
-        const auto value = node.value<double>();
-        if (!value)
-            fail(m_file, node, "expected a number");
-        return *value;
-    }
+    bool flag(const toml::node &node) const { return m_file.flag(node); }
 
-    bool flag(const toml::node &node) const {
-        const auto value = node.value_exact<bool>();
-        if (!value)
-            fail(m_file, node, "expected true or false");
-        return *value;
-    }
-
-    std::vector<std::string> texts(const toml::node &node) const {
-        const toml::array *array = node.as_array();
-        if (array == nullptr)
-            fail(m_file, node, "expected a list of strings");
-        std::vector<std::string> result;
-        for (const toml::node &each : *array)
-            result.push_back(text(each));
-        return result;
-    }
+    std::vector<std::string> texts(const toml::node &node) const { return m_file.texts(node); }
 
     /// `100` or `{ min = 0, max = 70 }`.
     void total(const toml::node &node, Expectation &expectation) const {
         const toml::table *range = node.as_table();
         if (range == nullptr) {
-            expectation.minTotal = expectation.maxTotal = number(node);
+            expectation.minTotal = expectation.maxTotal = m_file.number(node);
             return;
         }
         for (const auto &[key, bound] : *range) {
             if (key.str() == "min")
-                expectation.minTotal = number(bound);
+                expectation.minTotal = m_file.number(bound);
             else if (key.str() == "max")
-                expectation.maxTotal = number(bound);
+                expectation.maxTotal = m_file.number(bound);
             else
-                fail(m_file, bound, "known here: min, max");
+                m_file.fail(bound, "known here: min, max");
         }
     }
 
@@ -74,7 +46,7 @@ public:
         if (!node.is_array()) {
             const std::string rest = text(node);
             if (rest != "all" && rest != "others")
-                fail(m_file, node, R"(expected a list of items, "all" or "others")");
+                m_file.fail(node, R"(expected a list of items, "all" or "others")");
             expectation.others = kept;
             return;
         }
@@ -83,15 +55,12 @@ public:
     }
 
     void verdicts(const toml::node &node, Expectation &expectation) const {
-        const toml::table *table = node.as_table();
-        if (table == nullptr)
-            fail(m_file, node, "expected a table of item = verdict");
-        for (const auto &[item, verdict] : *table)
+        for (const auto &[item, verdict] : m_file.table(node))
             expectation.verdicts[std::string(item.str())] = text(verdict);
     }
 
 private:
-    std::filesystem::path m_file;
+    const TomlFile &m_file;
 };
 
 using Setter = std::function<void(const Reader &, const toml::node &, Expectation &)>;
@@ -147,25 +116,16 @@ const std::map<std::string, Setter> &setters() {
     return table;
 }
 
-toml::table parse(const std::filesystem::path &file) {
-    try {
-        return toml::parse_file(file.string());
-    } catch (const toml::parse_error &error) {
-        throw ExamError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
-                                    error.description()));
-    }
-}
-
 } // namespace
 
 Expectation readExpectation(const std::filesystem::path &file) {
-    const toml::table table = parse(file);
-    const Reader reader(file);
+    const TomlFile toml(file);
+    const Reader reader(toml);
     Expectation expectation;
-    for (const auto &[key, node] : table) {
+    for (const auto &[key, node] : toml.root()) {
         const auto setter = setters().find(std::string(key.str()));
         if (setter == setters().end())
-            fail(file, node, fmt::format("unknown key {}", key.str()));
+            toml.fail(node, fmt::format("unknown key {}", key.str()));
         setter->second(reader, node, expectation);
     }
     return expectation;

@@ -17,23 +17,26 @@ constexpr double kRounding = 1e-9; ///< points are sums of fractions
 constexpr int kDone = 0;           ///< exit codes of `norigrade grade` that are no failure
 constexpr int kNeedsHuman = 3;
 
-Graded parse(const std::string &json) {
-    const auto document = nlohmann::json::parse(json);
-    const auto &submission = document.at("submissions").at(0);
-    Graded graded;
-    graded.total = submission.at("total").get<double>();
-    for (const auto &item : submission.at("items")) {
-        graded.items.push_back({item.at("id").get<std::string>(), item.at("points").get<double>(),
-                                item.at("max").get<double>(), item.at("verdict").get<std::string>(),
-                                item.at("reason").get<std::string>()});
-        for (const auto &diagnosis : item.at("diagnoses"))
-            graded.items.back().diagnoses.push_back(diagnosis.at("id").get<std::string>());
+GradedItem parseItem(const nlohmann::json &json) {
+    GradedItem item;
+    json.at("id").get_to(item.id);
+    json.at("points").get_to(item.points);
+    json.at("max").get_to(item.max);
+    json.at("verdict").get_to(item.verdict);
+    json.at("reason").get_to(item.reason);
+    for (const nlohmann::json &guess : json.at("diagnoses"))
+        item.diagnoses.push_back(guess.at("id").get<std::string>());
+    for (const nlohmann::json &row : json.at("checks")) {
+        GradedCheck check;
+        row.at("id").get_to(check.id);
+        row.at("verdict").get_to(check.verdict);
+        row.at("severity").get_to(check.severity);
+        row.at("score").get_to(check.score);
+        row.at("message").get_to(check.message);
+        row.at("diagnosis").get_to(check.diagnosis);
+        item.checks.push_back(std::move(check));
     }
-    return graded;
-}
-
-bool isFull(const GradedItem &item) {
-    return item.points >= item.max - kRounding;
+    return item;
 }
 
 bool isAsExpected(const GradedItem &item, Kept kept) {
@@ -41,9 +44,9 @@ bool isAsExpected(const GradedItem &item, Kept kept) {
     case Kept::Any:
         return true;
     case Kept::Full:
-        return isFull(item);
+        return item.isFull();
     case Kept::Lost:
-        return !isFull(item);
+        return !item.isFull();
     case Kept::Zero:
         return item.points <= kRounding;
     }
@@ -95,18 +98,50 @@ void compareItem(const Expectation &expectation, const GradedItem &item,
 
 } // namespace
 
-Graded grade(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
-             const std::string &seed, int jobs, const std::filesystem::path &scratch) {
-    const Outcome outcome =
-        runCommand({norigrade.string(), "grade", handIn.string(), "--json", "--quiet", "--seed",
-                    seed, "--jobs", std::to_string(jobs), "--out", (scratch / "results").string()},
-                   scratch);
+std::string seedOf(int round) {
+    return fmt::format("{:032x}", 0x5eed0000 + round);
+}
+
+bool GradedCheck::found() const {
+    return verdict != "pass" && verdict != "inconclusive" && verdict != "infra" &&
+           verdict != "human";
+}
+
+bool GradedItem::isFull() const {
+    return points >= max - kRounding;
+}
+
+std::string gradeToJson(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
+                        const Question &question, int jobs, const std::filesystem::path &scratch) {
+    std::vector<std::string> command = {norigrade.string(),
+                                        "grade",
+                                        handIn.string(),
+                                        "--json",
+                                        "--quiet",
+                                        "--seed",
+                                        question.seed,
+                                        "--jobs",
+                                        std::to_string(jobs),
+                                        "--out",
+                                        (scratch / "results").string()};
+    if (!question.item.empty())
+        command.insert(command.end(), {"--item", question.item});
+    const Outcome outcome = runCommand(command, scratch);
     if (outcome.exitCode != kDone && outcome.exitCode != kNeedsHuman)
         throw ExamError(
             fmt::format("norigrade ended with code {}: {}", outcome.exitCode, outcome.errors));
+    return outcome.output;
+}
+
+Graded parseResults(const std::string &json) {
     try {
-        Graded graded = parse(outcome.output);
-        graded.seconds = outcome.seconds;
+        const nlohmann::json document = nlohmann::json::parse(json);
+        const nlohmann::json &submission = document.at("submissions").at(0);
+        Graded graded;
+        submission.at("total").get_to(graded.total);
+        submission.at("times").at("total").get_to(graded.seconds);
+        for (const nlohmann::json &item : submission.at("items"))
+            graded.items.push_back(parseItem(item));
         return graded;
     } catch (const nlohmann::json::exception &error) {
         throw ExamError(fmt::format("norigrade's JSON: {}", error.what()));
@@ -144,7 +179,7 @@ std::size_t diagnosisPlace(const Expectation &expectation, const Graded &graded)
     for (const GradedItem &item : graded.items) {
         const auto found =
             std::find(item.diagnoses.begin(), item.diagnoses.end(), expectation.diagnosis);
-        if (isFull(item) || found == item.diagnoses.end())
+        if (item.isFull() || found == item.diagnoses.end())
             continue;
         const auto here = static_cast<std::size_t>(found - item.diagnoses.begin()) + 1;
         place = place == 0 ? here : std::min(place, here);
@@ -170,7 +205,7 @@ std::string describe(const Graded &graded) {
     std::string text = fmt::format("{:g}", graded.total);
     std::string separator = ": ";
     for (const GradedItem &item : graded.items) {
-        if (isFull(item))
+        if (item.isFull())
             continue;
         text += fmt::format("{}{} {:.3g}/{:g}", separator, item.id, item.points, item.max);
         separator = ", ";

@@ -5,14 +5,29 @@
 
 namespace exam {
 
-/// What the exam reads of one item of results.json.
+/// What the exam reads of one check of results.json.
+struct GradedCheck {
+    std::string id;
+    std::string verdict;
+    std::string severity;
+    double score = 1;
+    std::string message;
+    std::string diagnosis;
+
+    bool found() const; ///< whether it says that something is wrong
+};
+
+/// And of one item.
 struct GradedItem {
     std::string id;
     double points = 0;
     double max = 0;
     std::string verdict;
     std::string reason;
-    std::vector<std::string> diagnoses{}; ///< ids, the most likely first
+    std::vector<std::string> diagnoses; ///< ids, the likeliest first
+    std::vector<GradedCheck> checks;
+
+    bool isFull() const;
 };
 
 struct Graded {
@@ -21,13 +36,25 @@ struct Graded {
     double seconds = 0; ///< of wall clock
 };
 
+/// Of a round; fixed, so that a miss can be repeated.
+std::string seedOf(int round);
+
+/// Which tests a grading makes.
+struct Question {
+    std::string seed; ///< 32 hexadecimal digits
+    std::string item; ///< empty: all
+};
+
 /// Grades one hand-in with the program itself.
-/// \param seed     32 hexadecimal digits
 /// \param jobs     processes that the program may use at the same time
 /// \param scratch  an existing folder for its temporary files and its results
-/// \throws ExamError  if the program fails (a zero is no failure) or its JSON is not as published
-Graded grade(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
-             const std::string &seed, int jobs, const std::filesystem::path &scratch);
+/// \return         results.json
+/// \throws ExamError  if the program fails (a zero is no failure)
+std::string gradeToJson(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
+                        const Question &question, int jobs, const std::filesystem::path &scratch);
+
+/// \throws ExamError  if it is not as published
+Graded parseResults(const std::string &json);
 
 /// Where a result is not what was expected, a sentence each; empty if all is well.
 std::vector<std::string> compare(const Expectation &expectation, const Graded &graded);

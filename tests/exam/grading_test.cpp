@@ -16,7 +16,8 @@ namespace {
 Graded graded(double total, double disk, const char *verdict = "pass") {
     Graded result;
     result.total = total;
-    result.items = {{"warp.disk", disk, 10, verdict, "why"}, {"area_light", 30, 30, "pass", ""}};
+    result.items = {{"warp.disk", disk, 10, verdict, "why", {}, {}},
+                    {"area_light", 30, 30, "pass", "", {}, {}}};
     return result;
 }
 

@@ -10,11 +10,14 @@
 #include <cstdio>
 #include <iostream>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "grading.h"
 #include "hand_in.h"
 #include "machine.h"
+#include "measurement.h"
+#include "work_folder.h"
 
 namespace {
 
@@ -104,37 +107,6 @@ private:
     std::mutex m_mutex;
 };
 
-/// A folder that is removed at the end.
-class WorkFolder {
-public:
-    WorkFolder() {
-        std::string name = (fs::temp_directory_path() / "norigrade-exam-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw exam::ExamError(fmt::format("{}: cannot be made", name));
-        m_path = name;
-    }
-
-    WorkFolder(const WorkFolder &) = delete;
-    WorkFolder(WorkFolder &&) = delete;
-    WorkFolder &operator=(const WorkFolder &) = delete;
-    WorkFolder &operator=(WorkFolder &&) = delete;
-
-    ~WorkFolder() {
-        std::error_code ignored;
-        fs::remove_all(m_path, ignored);
-    }
-
-    const fs::path &path() const { return m_path; }
-
-private:
-    fs::path m_path;
-};
-
-/// Fixed, so that a miss can be repeated.
-std::string seedOf(int round) {
-    return fmt::format("{:032x}", 0x5eed0000 + round);
-}
-
 /// Leftovers of a hostile hand-in.
 std::vector<std::string> lookOver(const Case &which, const exam::Snapshot &before,
                                   const fs::path &root, const fs::path &scratch) {
@@ -162,8 +134,8 @@ void perform(const Options &options, const Task &task, int jobs, const fs::path 
         const fs::path handIn = compose(options.root, which, options.norigrade, scratch);
         const exam::Snapshot before =
             which.expectation.hostile ? exam::takeSnapshot(options.root) : exam::Snapshot();
-        const exam::Graded graded =
-            exam::grade(options.norigrade, handIn, seedOf(task.round), jobs, scratch);
+        const exam::Graded graded = exam::parseResults(exam::gradeToJson(
+            options.norigrade, handIn, {exam::seedOf(task.round), ""}, jobs, scratch));
         got = describe(graded);
         seconds = graded.seconds;
         misses = compare(which.expectation, graded);
@@ -190,7 +162,7 @@ bool runExam(const Options &options) {
             (which.expectation.hostile ? hostile : tasks).push_back({&which, round});
     }
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const WorkFolder work;
+    const exam::WorkFolder work;
     Table table(tasks.size() + hostile.size());
     exam::adoptOrphans();
     std::atomic<std::size_t> next = 0;
@@ -211,6 +183,9 @@ bool runExam(const Options &options) {
 
 /// \return  the exit code
 int hold(int argc, char **argv) {
+    const std::string_view verb = argc > 1 ? argv[1] : "";
+    if (verb == "mutants" || verb == "variants")
+        return exam::measure(argc - 1, argv + 1);
     Options options;
     CLI::App app("Grades the hand-ins of tests/submissions and prints expected against got.\n"
                  "Exit code: 0 all as expected, 1 some not, 2 the exam could not be held.",

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "judgement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <tuple>
+
+namespace exam {
+
+namespace {
+
+bool contains(const std::string &text, const std::string &phrase) {
+    const auto same = [](unsigned char a, unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+    };
+    return std::search(text.begin(), text.end(), phrase.begin(), phrase.end(), same) != text.end();
+}
+
+bool costs(const GradedCheck &check) {
+    return check.found() && check.severity != "blemish" && check.score < 1;
+}
+
+/// Whether the item lost what a mistake of this kind has to cost.
+bool lostRightly(const Patch &patch, const GradedItem &item) {
+    switch (patch.cost) {
+    case Patch::Cost::Nothing:
+        return item.isFull();
+    case Patch::Cost::Visible:
+        return !item.isFull();
+    case Patch::Cost::Latent:
+        return !item.isFull() &&
+               std::all_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
+                   return !costs(check) || check.severity == "latent";
+               });
+    case Patch::Cost::Blemish:
+        return item.isFull() && std::any_of(item.checks.begin(), item.checks.end(),
+                                            [](const GradedCheck &check) { return check.found(); });
+    }
+    return false;
+}
+
+/// Of the item that is meant.
+void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement) {
+    judgement.asExpected = lostRightly(patch, item);
+    judgement.lost = patch.cost == Patch::Cost::Blemish ? judgement.asExpected : !item.isFull();
+    const std::vector<std::string> told = diagnosesOf(item);
+    for (std::size_t i = 0; i < told.size() && judgement.diagnosisRank == 0; ++i) {
+        if (std::any_of(patch.diagnoses.begin(), patch.diagnoses.end(),
+                        [&](const std::string &wanted) { return contains(told[i], wanted); }))
+            judgement.diagnosisRank = i + 1;
+    }
+    judgement.got += fmt::format("{} {:.4g}/{:g}", item.id, item.points, item.max);
+    if (judgement.lost)
+        judgement.got += fmt::format(" \"{}\"", told.empty() ? item.reason : told.front());
+}
+
+bool isExcused(const Patch &patch, const GradedItem &item) {
+    return std::find(patch.missing.begin(), patch.missing.end(), item.id) != patch.missing.end() &&
+           item.verdict == "missing";
+}
+
+} // namespace
+
+std::vector<std::string> diagnosesOf(const GradedItem &item) {
+    if (!item.diagnoses.empty())
+        return item.diagnoses;
+    // The order of the sentences in the reason: what costs most, visible before latent.
+    std::vector<GradedCheck> found;
+    std::copy_if(item.checks.begin(), item.checks.end(), std::back_inserter(found),
+                 [](const GradedCheck &check) { return check.found(); });
+    const auto rank = [&](const GradedCheck &check) {
+        const bool told = item.reason.rfind(check.message, 0) == 0;
+        const int severity = check.severity == "visible" ? 0 : check.severity == "latent" ? 1 : 2;
+        return std::tuple(told ? 0 : 1, severity, check.score);
+    };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const GradedCheck &a, const GradedCheck &b) { return rank(a) < rank(b); });
+    std::vector<std::string> told;
+    for (const GradedCheck &check : found) {
+        if (!check.diagnosis.empty() &&
+            std::find(told.begin(), told.end(), check.diagnosis) == told.end())
+            told.push_back(check.diagnosis);
+    }
+    return told;
+}
+
+Judgement judge(const Patch &patch, const Graded &graded) {
+    Judgement judgement;
+    judgement.asExpected = patch.item.empty();
+    for (const GradedItem &item : graded.items) {
+        if (item.id == patch.item) {
+            judgeItem(patch, item, judgement);
+            continue;
+        }
+        const bool remarked =
+            patch.item.empty() &&
+            std::any_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
+                return check.found() && check.severity != "blemish";
+            });
+        if ((item.isFull() && !remarked) || isExcused(patch, item))
+            continue;
+        judgement.othersFull = false;
+        judgement.got +=
+            fmt::format("; {} {:.4g}/{:g}: {}", item.id, item.points, item.max, item.reason);
+    }
+    judgement.asExpected = judgement.asExpected && judgement.othersFull;
+    return judgement;
+}
+
+} // namespace exam

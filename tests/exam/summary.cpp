@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "summary.h"
+
+#include <grader/text_file.h>
+#include <statistics/binomial.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace exam {
+
+namespace {
+
+/// How often something held.
+struct Rate {
+    std::string what;
+    std::size_t held = 0, all = 0;
+
+    void add(bool holds) {
+        held += holds ? 1 : 0;
+        ++all;
+    }
+
+    std::string describe() const {
+        if (all == 0)
+            return what + ": not measured";
+        const statistics::Interval bounds = statistics::clopperPearson(held, all);
+        return fmt::format("{}: {} of {} = {:.1f} % (95 %: {:.1f} to {:.1f} %)", what, held, all,
+                           100.0 * static_cast<double>(held) / static_cast<double>(all),
+                           100 * bounds.lower, 100 * bounds.upper);
+    }
+};
+
+std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
+    Rate lost{"mutants that lose points"};
+    Rate exact{"mutants that cost as much as they should, on exactly the right item"};
+    Rate first{"first diagnosis right, of mutants that have one"};
+    Rate three{"diagnosis right within three"};
+    Rate again{"own item with further seeds: gradings as expected"};
+    Rate remarks{"blemishes that are remarked on and cost nothing"};
+    Rate whole{"gradings of correct variants that lose nothing"};
+    Rate variants{"correct variants that never lose anything"};
+    for (const PatchRecord &record : records) {
+        const Patch &patch = record.patch;
+        for (const Judgement &judgement : record.item)
+            again.add(judgement.asExpected);
+        if (record.whole.empty())
+            continue;
+        const Judgement &judgement = record.whole.front();
+        switch (patch.cost) {
+        case Patch::Cost::Nothing:
+            for (const Judgement &each : record.whole)
+                whole.add(each.asExpected);
+            variants.add(record.asExpected());
+            continue;
+        case Patch::Cost::Blemish:
+            remarks.add(judgement.asExpected);
+            break;
+        default:
+            lost.add(judgement.lost);
+            exact.add(judgement.asExpected);
+        }
+        if (patch.diagnoses.empty())
+            continue;
+        first.add(judgement.diagnosisRank == 1);
+        three.add(judgement.diagnosisRank >= 1 && judgement.diagnosisRank <= 3);
+    }
+    std::vector<Rate> rates;
+    for (const Rate &rate : {lost, exact, first, three, again, remarks, whole, variants}) {
+        if (rate.all > 0)
+            rates.push_back(rate);
+    }
+    return rates;
+}
+
+std::string escaped(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+        text.insert(at, "\\");
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+std::string diagnosisCell(const PatchRecord &record) {
+    if (record.patch.diagnoses.empty() || record.whole.empty())
+        return "";
+    const std::size_t rank = record.whole.front().diagnosisRank;
+    return rank == 0 ? "no" : fmt::format("{}", rank);
+}
+
+std::string ratio(const std::vector<Judgement> &judgements) {
+    const auto right = std::count_if(judgements.begin(), judgements.end(),
+                                     [](const Judgement &each) { return each.asExpected; });
+    return judgements.empty() ? "" : fmt::format("{}/{}", right, judgements.size());
+}
+
+} // namespace
+
+bool PatchRecord::asExpected() const {
+    const auto right = [](const Judgement &judgement) {
+        return judgement.asExpected;
+    };
+    return std::all_of(whole.begin(), whole.end(), right) &&
+           std::all_of(item.begin(), item.end(), right);
+}
+
+std::string summarise(const std::vector<PatchRecord> &records) {
+    std::string text;
+    for (const Rate &rate : ratesOf(records))
+        text += rate.describe() + "\n";
+    return text;
+}
+
+std::string markdown(const std::vector<PatchRecord> &records, const std::string &commit) {
+    std::string text = fmt::format("Measured at commit `{}`.\n\n", commit);
+    for (const Rate &rate : ratesOf(records))
+        text += fmt::format("- {}\n", rate.describe());
+    const bool mutants = std::any_of(records.begin(), records.end(), [](const PatchRecord &record) {
+        return record.patch.cost != Patch::Cost::Nothing;
+    });
+    text += mutants ? "\n| mutant | mistake | item | expected | whole | own item | diagnosis |\n"
+                      "| --- | --- | --- | --- | --- | --- | --- |\n"
+                    : "\n| variant | difference | whole gradings as expected |\n"
+                      "| --- | --- | --- |\n";
+    for (const PatchRecord &record : records) {
+        const Patch &patch = record.patch;
+        if (mutants)
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", patch.name,
+                                escaped(patch.what), patch.item, patch.costName(),
+                                ratio(record.whole), ratio(record.item), diagnosisCell(record));
+        else
+            text += fmt::format("| {} | {} | {} |\n", patch.name, escaped(patch.what),
+                                ratio(record.whole));
+    }
+    return text;
+}
+
+void replaceSection(const std::filesystem::path &file, const std::string &name,
+                    const std::string &text) {
+    const std::string begin = fmt::format("<!-- {}: begin -->\n", name);
+    const std::string end = fmt::format("<!-- {}: end -->\n", name);
+    std::string whole = grader::readTextFile(file);
+    const std::size_t from = whole.find(begin);
+    const std::size_t to = whole.find(end);
+    if (from == std::string::npos || to == std::string::npos || to < from)
+        throw ExamError(fmt::format("{}: has no section \"{}\"", file.string(), name));
+    whole.replace(from + begin.size(), to - from - begin.size(), text);
+    grader::writeTextFile(file, whole);
+}
+
+} // namespace exam
