@@ -173,7 +173,9 @@ StockVerdict stockScheme(const Configuration &item) {
     if (degreesOfFreedom <= 0 || !std::isfinite(statistic)) {
         return {};
     }
-    const double pValue = 1.0 - cdf(boost::math::chi_squared(degreesOfFreedom), statistic);
+    // negative densities can make the statistic negative; the stock tool's law is 0 there
+    const double pValue =
+        1.0 - cdf(boost::math::chi_squared(degreesOfFreedom), std::max(0.0, statistic));
     return {pValue >= kLevel, pValue};
 }
 
