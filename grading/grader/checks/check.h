@@ -13,13 +13,9 @@
 namespace grader {
 
 /// What a check may do: ask the student's code, ask ours, and derive fresh random numbers.
-class CheckContext {
+/// ask() asks the variant under test: the student's part, and upstream parts as the engine chose.
+class CheckContext : public ProbeClient {
 public:
-    virtual ~CheckContext() = default;
-
-    /// Asks the variant under test: the student's part, and upstream parts as the engine chose.
-    virtual ProbeAnswer ask(const protocol::RequestGroup &group) = 0;
-
     /// Asks our own complete implementation the same.
     virtual ProbeAnswer askReference(const protocol::RequestGroup &group) = 0;
 

@@ -17,7 +17,7 @@ protocol::Request requestOf(protocol::Op op, const catalog::WarpEntry &warp, dou
 
 } // namespace
 
-WarpAnswer askWarp(CheckContext &context, const catalog::WarpEntry &warp, double parameter,
+WarpAnswer askWarp(ProbeClient &probe, const catalog::WarpEntry &warp, double parameter,
                    const std::vector<std::vector<battery::Input>> &inputs) {
     protocol::RequestGroup group;
     for (const auto &list : inputs) {
@@ -29,7 +29,7 @@ WarpAnswer askWarp(CheckContext &context, const catalog::WarpEntry &warp, double
         group.requests.push_back(std::move(request));
     }
     WarpAnswer result;
-    const ProbeAnswer answer = context.ask(group);
+    const ProbeAnswer answer = probe.ask(group);
     result.failure = unanswered(answer);
     if (result.failure)
         return result;
@@ -44,7 +44,7 @@ WarpAnswer askWarp(CheckContext &context, const catalog::WarpEntry &warp, double
     return result;
 }
 
-DensityAnswer askDensity(CheckContext &context, const catalog::WarpEntry &warp, double parameter,
+DensityAnswer askDensity(ProbeClient &probe, const catalog::WarpEntry &warp, double parameter,
                          const std::vector<std::vector<battery::Output>> &points) {
     protocol::RequestGroup group;
     for (const auto &list : points) {
@@ -58,7 +58,7 @@ DensityAnswer askDensity(CheckContext &context, const catalog::WarpEntry &warp, 
         group.requests.push_back(std::move(request));
     }
     DensityAnswer result;
-    ProbeAnswer answer = context.ask(group);
+    ProbeAnswer answer = probe.ask(group);
     result.failure = unanswered(answer);
     if (result.failure)
         return result;

@@ -3,7 +3,8 @@
 
 #include <battery/records.h>
 #include <catalog/warp_catalog.h>
-#include <grader/checks/check.h>
+#include <grader/prober/prober.h>
+#include <grader/results/results.h>
 
 #include <optional>
 #include <span>
@@ -17,7 +18,7 @@ struct WarpAnswer {
 };
 
 /// Maps lists of inputs by the student's warp, in one process.
-WarpAnswer askWarp(CheckContext &context, const catalog::WarpEntry &warp, double parameter,
+WarpAnswer askWarp(ProbeClient &probe, const catalog::WarpEntry &warp, double parameter,
                    const std::vector<std::vector<battery::Input>> &inputs);
 
 struct DensityAnswer {
@@ -26,7 +27,7 @@ struct DensityAnswer {
 };
 
 /// Asks the student's density at lists of points, in one process.
-DensityAnswer askDensity(CheckContext &context, const catalog::WarpEntry &warp, double parameter,
+DensityAnswer askDensity(ProbeClient &probe, const catalog::WarpEntry &warp, double parameter,
                          const std::vector<std::vector<battery::Output>> &points);
 
 } // namespace grader

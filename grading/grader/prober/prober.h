@@ -19,6 +19,14 @@ struct ProbeAnswer {
     bool complete() const;
 };
 
+/// Something that answers questions as a probe does.
+class ProbeClient {
+public:
+    virtual ~ProbeClient() = default;
+
+    virtual ProbeAnswer ask(const protocol::RequestGroup &group) = 0;
+};
+
 /// Starts a probe in the box with sealed shared memory for questions (descriptor 3, read-only) and
 /// answers (4), waits for its end or its limits, sees to it that nothing of it is left, and only
 /// then reads the answers. What the probe prints, and how it ends, decides nothing.
