@@ -11,7 +11,7 @@ set(ALLOWED
     "warptest/catalog:catalog"
     "warptest/battery:battery,catalog,statistics"
     "warptest/bindings:bindings,battery,catalog,nori"
-    "warptest/app:viewer,window,bindings,battery,catalog,statistics"
+    "warptest/app:viewer,window,bindings,battery,catalog,statistics,grader"
     "grading/protocol:protocol"
     "grading/probe:probe,protocol,nori"
     "grading/plot:plot"

@@ -39,12 +39,13 @@ private:
             return place + ": is not one of the known values";
         if (rule.contains("type") && !hasType(value, rule["type"]))
             return place + ": has the wrong type";
+        if (!value.is_object())
+            return checkElements(value, rule, place);
         for (const auto &key : rule.value("required", nlohmann::json::array())) {
             if (!value.contains(key))
                 return place + ": lacks " + std::string(key);
         }
-        return value.is_object() ? checkMembers(value, rule, place)
-                                 : checkElements(value, rule, place);
+        return checkMembers(value, rule, place);
     }
 
     std::string checkMembers(const nlohmann::json &value, const nlohmann::json &rule,
@@ -85,7 +86,9 @@ private:
         const std::string name = type;
         return (name == "object" && value.is_object()) || (name == "array" && value.is_array()) ||
                (name == "string" && value.is_string()) || (name == "number" && value.is_number()) ||
-               (name == "boolean" && value.is_boolean()) || (name == "null" && value.is_null());
+               (name == "boolean" && value.is_boolean()) ||
+               (name == "integer" && value.is_number_integer()) ||
+               (name == "null" && value.is_null());
     }
 
     nlohmann::json m_schema;

@@ -5,10 +5,14 @@
 #include <catalog/density_mistakes.h>
 #include <catalog/warp_catalog.h>
 #include <catalog/warp_mistakes.h>
+#include <grader/app/terminal.h>
+#include <grader/warps/submitted_warps.h>
 
 #include <fmt/core.h>
 
-#include <stdexcept>
+#include <algorithm>
+#include <memory>
+#include <thread>
 #include <utility>
 
 #include <bindings/warp_bindings.h>
@@ -38,6 +42,32 @@ std::vector<viewer::Subject> rendererWarps() {
     return subjects;
 }
 
+std::vector<viewer::Subject> submittedWarps(const std::string &path) {
+    grader::ProgressLine progress(true);
+    const auto jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const auto submitted = std::make_shared<const grader::SubmittedWarps>(
+        path, jobs, [&](double fraction) { progress.update(path, "compiling", fraction); });
+    progress.clear();
+    for (const std::string &note : submitted->notes()) {
+        fmt::print(stderr, "warptest: {}\n", note);
+    }
+    std::vector<viewer::Subject> subjects;
+    for (const catalog::WarpEntry &truth : catalog::warpCatalog()) {
+        viewer::Subject subject;
+        subject.truth = &truth;
+        subject.from = submitted->name();
+        subject.name = fmt::format("{} of {}", truth.id, subject.from);
+        subject.warp = [submitted, &truth](std::span<const battery::Input> inputs, double a) {
+            return submitted->warp(truth, inputs, a);
+        };
+        subject.density = [submitted, &truth](std::span<const battery::Output> points, double a) {
+            return submitted->density(truth, points, a);
+        };
+        subjects.push_back(std::move(subject));
+    }
+    return subjects;
+}
+
 std::vector<viewer::Subject> mistakenWarps() {
     std::vector<viewer::Subject> subjects;
     for (const catalog::WarpMistake &mistake : catalog::warpMistakes()) {
@@ -52,6 +82,7 @@ std::vector<viewer::Subject> mistakenWarps() {
             }
             return outputs;
         };
+        subject.isMistake = true;
         subjects.push_back(std::move(subject));
     }
     for (const catalog::DensityMistake &mistake : catalog::densityMistakes()) {
@@ -66,12 +97,14 @@ std::vector<viewer::Subject> mistakenWarps() {
             }
             return densities;
         };
+        subject.isMistake = true;
         subjects.push_back(std::move(subject));
     }
     viewer::Subject empty = rendererWarp(catalog::requireWarp("triangle"));
+    empty.isMistake = true;
     empty.name = "triangle, not implemented";
     empty.warp = [](std::span<const battery::Input>, double) -> std::vector<battery::Output> {
-        throw std::runtime_error("Warp::squareToUniformTriangle() is not implemented yet");
+        throw battery::NotImplemented("Warp::squareToUniformTriangle() is not implemented yet");
     };
     subjects.push_back(std::move(empty));
     return subjects;

@@ -37,17 +37,20 @@ TestResult repeat(const TestOptions &options, const std::function<TestResult(int
     require(options);
     TestResult worst;
     std::vector<Status> verdicts;
+    std::vector<double> pValues;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
         TestResult result = once(repeat);
         if (result.verdict == Status::NotRun) {
             return result;
         }
         verdicts.push_back(result.verdict);
+        pValues.insert(pValues.end(), result.seedPValues.begin(), result.seedPValues.end());
         if (repeat == 0 || badness(result.verdict) > badness(worst.verdict)) {
             worst = std::move(result);
         }
     }
     worst.repeats = std::move(verdicts);
+    worst.seedPValues = std::move(pValues);
     if (options.repeats > 1) {
         addRepeatsRow(worst);
     }

@@ -62,6 +62,10 @@ struct TestResult {
     std::string error;                ///< what the warp or the density threw; empty: nothing
     std::vector<Status> repeats;      ///< verdicts; the rest is of the first with the worst one
 
+    /// Of the first stage's 32x32 histogram, of each repeat, against the exact density without any
+    /// tolerance: uniform in [0, 1] for a right warp. For a plot, never for a verdict.
+    std::vector<double> seedPValues;
+
     double parameter = 0.0;
     RangeResult range; ///< of a grid and of random inputs together
     RangeResult edges; ///< of edgeInputs(): a remark

@@ -27,6 +27,7 @@ struct Cancelled {};
 /// What the warp or the density did instead of answering.
 struct CallFailed {
     std::string message;
+    bool isStub = false;
 };
 
 template <typename Function, typename Elements>
@@ -34,6 +35,8 @@ auto ask(const Function &function, const Elements &elements, std::string_view na
     decltype(function(elements)) answers;
     try {
         answers = function(elements);
+    } catch (const NotImplemented &error) {
+        throw CallFailed{error.what(), true};
     } catch (const std::exception &error) {
         throw CallFailed{error.what()};
     }
@@ -141,7 +144,8 @@ TestResult BatteryRun::run() {
         m_result = {};
     } catch (const CallFailed &failure) {
         m_result.verdict = Status::Fail;
-        m_result.headline = "it threw an exception, or did not answer";
+        m_result.headline =
+            failure.isStub ? "not implemented" : "it threw an exception, or did not answer";
         m_result.error = failure.message;
     }
     return std::move(m_result);
@@ -293,6 +297,11 @@ statistics::StageResult BatteryRun::runStage(const statistics::StageRequest &req
     m_outputs = outputsOf(randomInputs(count, seed("distribution", request.index)));
     m_result.points += count;
     m_result.distribution = battery::judgeDistribution(m_target, m_a, m_outputs);
+    if (request.index == 0) {
+        m_result.seedPValues = {statistics::chiSquareEqualCells(m_result.distribution.counts,
+                                                                static_cast<double>(count))
+                                    .pValue};
+    }
     step(0.5 + 0.1 * (request.index + 1));
     return asStage(m_result.distribution);
 }

@@ -5,11 +5,18 @@
 
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace battery {
+
+/// Thrown by a warp or density that is still a stub.
+class NotImplemented : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 /// A function that is asked many things at once. Made from any callable for one element, or from
 /// one that takes a span of them and returns a vector of the same shape.

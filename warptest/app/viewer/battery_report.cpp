@@ -11,6 +11,9 @@ TestReport runBattery(const Subject &subject, const Settings &settings,
     battery::TestOptions options;
     options.parameter = a;
     options.seed = settings.seed;
+    options.repeats = settings.repeats;
+    options.significance = settings.significance;
+    options.samples = settings.samples;
     options.progress = control.progress;
     options.isCancelled = control.isCancelled;
     TestReport report;

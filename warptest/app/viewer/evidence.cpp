@@ -18,16 +18,16 @@ namespace {
 constexpr int kWidth = 1000;
 constexpr int kHeight = 560;
 constexpr int kMargin = 20;
-constexpr int kMapPixels = 288; ///< 9 for each cell
+constexpr int kMapPixels = 288;
 constexpr int kLine = 22;
 constexpr std::uint32_t kInk = 0xff282420;
 constexpr std::uint32_t kSparse = 0xff808080;
 constexpr double kResidualRange = 4.0;
 
 void drawMap(window::Picture &picture, int left, int top, const TestReport &report, int which) {
-    const Maps &maps = report.maps;
-    const int unit = kMapPixels / kMapSide;
-    for (int cell = 0; cell < kMapSide * kMapSide; ++cell) {
+    const battery::Maps &maps = report.maps;
+    const int side = maps.side;
+    for (int cell = 0; cell < side * side; ++cell) {
         const auto i = static_cast<std::size_t>(cell);
         const double scale = maps.largest > 0.0 ? maps.largest : 1.0;
         std::uint32_t color =
@@ -35,8 +35,11 @@ void drawMap(window::Picture &picture, int left, int top, const TestReport &repo
         if (which == 2) {
             color = maps.sparse[i] ? kSparse : window::diverging(maps.residual[i] / kResidualRange);
         }
-        picture.fill(left + cell % kMapSide * unit, top + (kMapSide - 1 - cell / kMapSide) * unit,
-                     unit, unit, color);
+        // the cells' edges, rounded, so that they touch whatever their number
+        const int x = cell % side * kMapPixels / side;
+        const int y = (side - 1 - cell / side) * kMapPixels / side;
+        picture.fill(left + x, top + y, (cell % side + 1) * kMapPixels / side - x,
+                     (side - cell / side) * kMapPixels / side - y, color);
     }
 }
 
@@ -92,7 +95,7 @@ std::string writeEvidence(const Subject &subject, const TestReport &report,
     const std::filesystem::path directory = folder;
     std::filesystem::create_directories(directory);
     const std::string stem = (directory / evidenceName(*subject.truth)).string();
-    const std::string json = documentJson({reportJson(subject, report)});
+    const std::string json = documentJson({{&subject, report}});
     drawPicture(subject, report).writePng(stem + ".png", "warptest", json);
     std::ofstream file(stem + ".json", std::ios::binary);
     file << json;

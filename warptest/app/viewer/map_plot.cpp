@@ -25,7 +25,7 @@ constexpr std::array<Picture, 3> kPictures{{{"Observed", "observed", false},
                                             {"Expected", "expected", false},
                                             {"Residual (O−E)/√E", "residual", true}}};
 
-const std::vector<double> &valuesOf(const Maps &maps, std::size_t which) {
+const std::vector<double> &valuesOf(const battery::Maps &maps, std::size_t which) {
     return which == 0 ? maps.observed : which == 1 ? maps.expected : maps.residual;
 }
 
@@ -74,13 +74,13 @@ void MapPlot::upload() {
                 pixels[i] = kSparseColor;
             }
         }
-        m_textures.at(which).upload(kMapSide, kMapSide, pixels);
+        m_textures.at(which).upload(m_maps->side, m_maps->side, pixels);
     }
 }
 
 void MapPlot::drawMap(std::size_t which, float side) {
     const Picture &picture = kPictures.at(which);
-    const Chart &chart = m_maps->chart;
+    const battery::Chart &chart = m_maps->chart;
     ImGui::BeginGroup();
     ImGui::TextUnformatted(picture.title);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -88,16 +88,17 @@ void MapPlot::drawMap(std::size_t which, float side) {
     ImGui::Image(m_textures.at(which).id(), ImVec2(side, side), ImVec2(0, 1), ImVec2(1, 0));
     if (ImGui::IsItemHovered()) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const int cell = cellAt({static_cast<double>((mouse.x - at.x) / side),
-                                 static_cast<double>(1.0F - (mouse.y - at.y) / side)});
+        const int cell = battery::cellAt({static_cast<double>((mouse.x - at.x) / side),
+                                          static_cast<double>(1.0F - (mouse.y - at.y) / side)},
+                                         m_maps->side);
         if (cell >= 0) {
-            m_cell = {cell % kMapSide, cell / kMapSide};
+            m_cell = {cell % m_maps->side, cell / m_maps->side};
             ImGui::BeginTooltip();
             drawCellText();
             ImGui::EndTooltip();
         }
     }
-    const float unit = side / kMapSide;
+    const float unit = side / static_cast<float>(m_maps->side);
     const ImVec2 corner(at.x + static_cast<float>(m_cell[0]) * unit,
                         at.y + side - static_cast<float>(m_cell[1] + 1) * unit);
     ImGui::GetWindowDrawList()->AddRect(corner, ImVec2(corner.x + unit, corner.y + unit),
@@ -109,27 +110,30 @@ void MapPlot::drawMap(std::size_t which, float side) {
 }
 
 void MapPlot::drawCellText() const {
-    const auto i =
-        static_cast<std::size_t>(m_cell[1]) * kMapSide + static_cast<std::size_t>(m_cell[0]);
-    const Chart &chart = m_maps->chart;
+    const auto i = static_cast<std::size_t>(m_cell[1]) * static_cast<std::size_t>(m_maps->side) +
+                   static_cast<std::size_t>(m_cell[0]);
+    const battery::Chart &chart = m_maps->chart;
     const auto coordinate = [&](std::size_t axis) {
         return chart.low.at(axis) + (chart.high.at(axis) - chart.low.at(axis)) *
-                                        (static_cast<double>(m_cell.at(axis)) + 0.5) / kMapSide;
+                                        (static_cast<double>(m_cell.at(axis)) + 0.5) / m_maps->side;
     };
     const std::string place = fmt::format("{} {:.3f}, {} {:.3f}", chart.xLabel, coordinate(0),
                                           chart.yLabel, coordinate(1));
     ImGui::TextUnformatted(place.c_str());
-    const std::string residual = m_maps->sparse[i]
-                                     ? fmt::format("fewer than {:.0f} expected", kMinExpected)
-                                     : fmt::format("residual {:+.2f} σ", m_maps->residual[i]);
+    const std::string residual =
+        m_maps->sparse[i] ? fmt::format("fewer than {:.0f} expected", battery::kMinExpected)
+                          : fmt::format("residual {:+.2f} σ", m_maps->residual[i]);
     const std::string values = fmt::format("observed {:.0f}, expected {:.1f}, {}",
                                            m_maps->observed[i], m_maps->expected[i], residual);
     ImGui::TextUnformatted(values.c_str());
 }
 
-void MapPlot::draw(const std::shared_ptr<const Maps> &maps, float side) {
+void MapPlot::draw(const std::shared_ptr<const battery::Maps> &maps, float side) {
     if (maps != m_maps) {
         m_maps = maps;
+        for (int &index : m_cell) {
+            index = std::min(index, maps->side - 1);
+        }
         upload();
     }
     const ImGuiStyle &style = ImGui::GetStyle();
@@ -152,9 +156,10 @@ void MapPlot::draw(const std::shared_ptr<const Maps> &maps, float side) {
     ImGui::BeginGroup();
     ImGui::TextUnformatted("Cell");
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
-    ImGui::SliderInt("##column", &m_cell[0], 0, kMapSide - 1, "column %d",
+    ImGui::SliderInt("##column", &m_cell[0], 0, m_maps->side - 1, "column %d",
                      ImGuiSliderFlags_AlwaysClamp);
-    ImGui::SliderInt("##row", &m_cell[1], 0, kMapSide - 1, "row %d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt("##row", &m_cell[1], 0, m_maps->side - 1, "row %d",
+                     ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopItemWidth();
     ImGui::PushTextWrapPos(0.0F);
     drawCellText();
@@ -162,7 +167,7 @@ void MapPlot::draw(const std::shared_ptr<const Maps> &maps, float side) {
     ImGui::EndGroup();
     const std::string legend =
         fmt::format("{} points, {} outside of the chart; grey: fewer than {:.0f} expected",
-                    m_maps->points, m_maps->outside, kMinExpected);
+                    m_maps->points, m_maps->outside, battery::kMinExpected);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled("%s", legend.c_str());
     ImGui::PopTextWrapPos();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <battery/maps.h>
+
 #include <array>
 #include <memory>
 #include <string>
 
-#include <viewer/maps.h>
 #include <window/texture.h>
 
 namespace viewer {
@@ -14,7 +15,7 @@ namespace viewer {
 class MapPlot {
 public:
     /// \param side  of one map [pixels]
-    void draw(const std::shared_ptr<const Maps> &maps, float side);
+    void draw(const std::shared_ptr<const battery::Maps> &maps, float side);
     void release();
 
 private:
@@ -22,7 +23,7 @@ private:
     void drawMap(std::size_t which, float side);
     void drawCellText() const;
 
-    std::shared_ptr<const Maps> m_maps;
+    std::shared_ptr<const battery::Maps> m_maps;
     std::array<window::Texture, 3> m_textures;
     std::array<int, 2> m_cell{0, 0}; ///< column, row: under the pointer, or typed
 };

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <battery/battery.h>
+#include <battery/maps.h>
 
 #include <functional>
 #include <string>
 
-#include <viewer/maps.h>
 #include <viewer/settings.h>
 #include <viewer/subject.h>
 
@@ -17,8 +17,17 @@ struct TestReport {
     Settings settings; ///< it was made with
     battery::TestResult result;
     double seconds = 0.0;
-    Maps maps; ///< of independent points; without cells after an error
+    battery::Maps maps; ///< of independent points; without cells after an error
 };
+
+/// A test that is done.
+struct Tested {
+    const Subject *subject = nullptr; ///< never null
+    TestReport report;
+};
+
+/// "beckmann α = 0.1": what was tested.
+std::string title(const Subject &subject, const TestReport &report);
 
 /// How a test tells how far it is, and learns that it shall stop.
 struct TestControl {
@@ -38,6 +47,6 @@ struct Actions {
 inline constexpr std::size_t kMapPoints = std::size_t{1} << 18U;
 
 /// Maps of fresh points. \throws what the warp throws
-Maps drawMaps(const Subject &subject, const Settings &settings);
+battery::Maps drawMaps(const Subject &subject, const Settings &settings);
 
 } // namespace viewer

@@ -8,10 +8,7 @@
 
 namespace viewer {
 
-/// Parameters, verdict, health list, remarks and maps: the same bytes for the same settings.
-std::string reportJson(const Subject &subject, const TestReport &report);
-
-/// One document of reportJson()'s objects, with `schema` and `version`.
-std::string documentJson(const std::vector<std::string> &reports);
+/// The document of `warptest --json` (warptest.schema.json), which pictures and pages hold as well.
+std::string documentJson(const std::vector<Tested> &tests);
 
 } // namespace viewer

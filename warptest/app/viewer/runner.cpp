@@ -13,9 +13,9 @@ namespace {
 
 /// Whether a report is of the job's settings, as far as they matter for a test.
 bool isOf(const TestReport &report, const Job &job) {
-    return report.settings.seed == job.settings.seed &&
-           (!job.subject.truth->hasParameter ||
-            report.settings.parameter == job.settings.parameter);
+    const Settings &wanted = job.settings;
+    return report.settings.seed == wanted.seed &&
+           (!job.subject.truth->hasParameter || report.settings.parameter == wanted.parameter);
 }
 
 } // namespace

@@ -103,7 +103,7 @@ void SamplesPanel::uploadSpace(ViewModel &model) {
     m_spaceRevision = model.revision();
 }
 
-void SamplesPanel::uploadFlat(ViewModel &model, Brush::View which, const Chart &chart) {
+void SamplesPanel::uploadFlat(ViewModel &model, Brush::View which, const battery::Chart &chart) {
     const LineColors colors = lineColors();
     FlatView &view = m_flat.at(static_cast<std::size_t>(which));
     view.points.setPoints(flatPoints(model, which, chart, colors));
@@ -157,7 +157,7 @@ void SamplesPanel::drawSpace(ViewModel &model, const window::Frame &frame) {
     const bool directions = model.subject().truth->dimension == 3;
     if (m_warp != model.settings().warp) {
         m_warp = model.settings().warp;
-        const Chart chart = makeChart(*model.subject().truth);
+        const battery::Chart chart = battery::makeChart(*model.subject().truth);
         const auto middle = [&](std::size_t axis) {
             return static_cast<float>((chart.low.at(axis) + chart.high.at(axis)) / 2.0);
         };
@@ -208,7 +208,7 @@ void SamplesPanel::drawSpace(ViewModel &model, const window::Frame &frame) {
 
 void SamplesPanel::drawFlat(ViewModel &model, const window::Frame &frame, Brush::View which) {
     FlatView &view = m_flat.at(static_cast<std::size_t>(which));
-    const Chart chart = makeChart(*model.subject().truth);
+    const battery::Chart chart = battery::makeChart(*model.subject().truth);
     if (view.revision != model.revision() + 1) { // 0: never
         uploadFlat(model, which, chart);
         view.revision = model.revision() + 1;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <battery/chart.h>
+
 #include <array>
 #include <optional>
 
 #include <viewer/arcball.h>
-#include <viewer/chart.h>
 #include <viewer/view_model.h>
 #include <window/point_view.h>
 #include <window/ui.h>
@@ -34,7 +35,7 @@ private:
     void drawTurnButtons(bool directions);
     void handleSpaceMouse(float width, float height);
     void uploadSpace(ViewModel &model);
-    void uploadFlat(ViewModel &model, Brush::View which, const Chart &chart);
+    void uploadFlat(ViewModel &model, Brush::View which, const battery::Chart &chart);
 
     int m_wantedTab = -1;
     Arcball m_ball;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <battery/distribution.h>
+#include <battery/maps.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +29,11 @@ struct Settings {
     PointSet points = PointSet::Independent;
     std::size_t count = std::size_t{1} << 14U; ///< grids and strata take the next smaller square
     std::uint64_t seed = 1;
-    bool grid = true; ///< the warped grid over the points
+    int rows = battery::kMapSide;                        ///< and columns of the maps
+    std::size_t samples = battery::kDistributionSamples; ///< of a test's first stage
+    double significance = 1e-4;                          ///< of a test
+    int repeats = 1;                                     ///< whole tests on fresh random numbers
+    bool grid = true;                                    ///< the warped grid over the points
     ColorBy colorBy = ColorBy::Density;
 
     bool operator==(const Settings &other) const = default;

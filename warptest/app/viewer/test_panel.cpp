@@ -88,7 +88,7 @@ void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool
     }
     if (!report->maps.observed.empty()) {
         const float room = ImGui::GetContentRegionAvail().x - 5.5F * ImGui::GetFontSize();
-        m_maps.draw(std::shared_ptr<const Maps>(report, &report->maps),
+        m_maps.draw(std::shared_ptr<const battery::Maps>(report, &report->maps),
                     std::clamp(room / 2.0F, 60.0F, 14.0F * ImGui::GetFontSize()));
     }
     drawHealth(report->result.rows);

@@ -113,8 +113,8 @@ std::vector<window::Vertex> spaceLines(ViewModel &model, const LineColors &color
     return lines;
 }
 
-std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view, const Chart &chart,
-                                       const LineColors &colors) {
+std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view,
+                                       const battery::Chart &chart, const LineColors &colors) {
     const std::vector<std::uint32_t> shades = pointColors(model, colors);
     const Cloud &cloud = model.cloud();
     std::vector<window::Vertex> points;
@@ -131,8 +131,8 @@ std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view, const
     return points;
 }
 
-std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view, const Chart &chart,
-                                      const LineColors &colors) {
+std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view,
+                                      const battery::Chart &chart, const LineColors &colors) {
     const Cloud &cloud = model.cloud();
     Line lines;
     addUnitFrame(lines, colors.axis);

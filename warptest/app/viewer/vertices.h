@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <battery/chart.h>
+
 #include <cstdint>
 #include <vector>
 
-#include <viewer/chart.h>
 #include <viewer/view_model.h>
 #include <window/point_view.h>
 
@@ -27,10 +28,10 @@ std::vector<window::Vertex> spacePoints(ViewModel &model, const LineColors &colo
 std::vector<window::Vertex> spaceLines(ViewModel &model, const LineColors &colors);
 
 /// The inputs in the unit square, or the outputs in the chart: z = 0.
-std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view, const Chart &chart,
-                                       const LineColors &colors);
+std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view,
+                                       const battery::Chart &chart, const LineColors &colors);
 /// Frame and strata of the square, or frame and boundary of the chart.
-std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view, const Chart &chart,
-                                      const LineColors &colors);
+std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view,
+                                      const battery::Chart &chart, const LineColors &colors);
 
 } // namespace viewer

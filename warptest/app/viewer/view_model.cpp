@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <battery/chart.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <viewer/chart.h>
 #include <viewer/view_model.h>
 
 namespace viewer {
@@ -70,7 +71,7 @@ const std::vector<bool> &ViewModel::selection() {
         return *m_selection;
     }
     const Cloud &points = cloud();
-    const Chart chart = makeChart(*subject().truth);
+    const battery::Chart chart = battery::makeChart(*subject().truth);
     const auto isBetween = [](double x, double a, double b) {
         return x >= std::min(a, b) && x <= std::max(a, b);
     };

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-namespace viewer {
+namespace battery {
 
 /// A flat picture of a warp's domain, of which equal areas are equal areas (solid angles) of the
 /// domain: x and y in the plane; phi and cos(theta) for directions.
@@ -29,4 +29,4 @@ struct Chart {
 /// Covers the support of the warp.
 Chart makeChart(const catalog::WarpEntry &truth);
 
-} // namespace viewer
+} // namespace battery

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <battery/chart.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <viewer/chart.h>
-
-namespace viewer {
+namespace battery {
 
 std::array<double, 2> Chart::place(const catalog::Point &p) const {
     const std::array<double, 2> at =
@@ -57,4 +57,4 @@ Chart makeChart(const catalog::WarpEntry &truth) {
     return chart;
 }
 
-} // namespace viewer
+} // namespace battery

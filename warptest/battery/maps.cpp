@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <battery/maps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace battery {
+
+namespace {
+
+std::size_t cellCount(int side) {
+    return static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+}
+
+/// Integral of the density over each cell by the midpoint rule. For directions the steps crowd
+/// below the upper edge (t^4), since a narrow lobe lies within a ten-thousandth of the chart there.
+std::vector<double> cellMasses(const catalog::WarpEntry &truth, const Chart &chart, double a,
+                               int side) {
+    const std::size_t cells = cellCount(side);
+    const auto columns = static_cast<std::size_t>(side);
+    const int across = chart.directions ? 4 : 24;
+    const int up = chart.directions ? 256 : 24;
+    const double area = chart.measure() / (static_cast<double>(cells) * across * up);
+    const auto fromTop = [&](double t) {
+        return chart.directions ? t * t * t * t : t;
+    };
+    const auto slope = [&](double t) {
+        return chart.directions ? 4.0 * t * t * t : 1.0;
+    };
+    std::vector<double> masses(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const std::size_t column = cell % columns;
+        const std::size_t row = cell / columns;
+        double sum = 0.0;
+        for (int i = 0; i < across; ++i) {
+            for (int j = 0; j < up; ++j) {
+                const double t = (j + 0.5) / up;
+                const catalog::Point p =
+                    chart.point({(static_cast<double>(column) + (i + 0.5) / across) / side,
+                                 (static_cast<double>(row) + 1.0 - fromTop(t)) / side});
+                sum += truth.density(p, a) * slope(t);
+            }
+        }
+        masses[cell] = sum * area;
+    }
+    return masses;
+}
+
+} // namespace
+
+int cellAt(const std::array<double, 2> &place, int side) {
+    const auto index = [side](double x) {
+        // the upper edge belongs to the chart: cos(theta) may be 1
+        return x >= 0.0 && x <= 1.0 ? std::min(static_cast<int>(x * side), side - 1) : -1;
+    };
+    const int column = index(place[0]);
+    const int row = index(place[1]);
+    return column < 0 || row < 0 ? -1 : row * side + column;
+}
+
+Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double> observed,
+                  std::size_t points) {
+    Maps maps;
+    maps.chart = makeChart(truth);
+    maps.side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(observed.size()))));
+    const std::size_t cells = cellCount(maps.side);
+    if (observed.empty() || observed.size() != cells) {
+        throw std::invalid_argument("mapsOfCounts: the counts are no square");
+    }
+    maps.points = points;
+    maps.observed = std::move(observed);
+    double inside = 0.0;
+    for (const double count : maps.observed) {
+        inside += count;
+    }
+    maps.outside = points - std::min(points, static_cast<std::size_t>(inside));
+    maps.expected = cellMasses(truth, maps.chart, a, maps.side);
+    maps.residual.assign(cells, 0.0);
+    maps.sparse.assign(cells, false);
+    for (std::size_t i = 0; i < cells; ++i) {
+        maps.expected[i] *= static_cast<double>(points);
+        const double difference = maps.observed[i] - maps.expected[i];
+        maps.sparse[i] = maps.expected[i] < kMinExpected && maps.observed[i] < 4 * kMinExpected;
+        if (!maps.sparse[i]) {
+            maps.residual[i] = difference / std::sqrt(std::max(maps.expected[i], kMinExpected));
+        }
+        maps.largest = std::max({maps.largest, maps.observed[i], maps.expected[i]});
+    }
+    return maps;
+}
+
+Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output> outputs,
+              int side) {
+    const Chart chart = makeChart(truth);
+    std::vector<double> observed(cellCount(side), 0.0);
+    for (const Output &output : outputs) {
+        const int cell = cellAt(chart.place(toPoint(output)), side);
+        if (cell >= 0) {
+            observed[static_cast<std::size_t>(cell)] += 1.0;
+        }
+    }
+    return mapsOfCounts(truth, a, std::move(observed), outputs.size());
+}
+
+} // namespace battery
