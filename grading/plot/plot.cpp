@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
 #include <iterator>
 #include <set>
+#include <utility>
+
+#include "gnuplot.h"
 
 namespace plot {
 
@@ -33,18 +30,6 @@ constexpr Terminal kTerminals[] = {
     {".svg", "svg noenhanced size 720,480 dynamic font 'sans-serif,14'"},
     {".pdf", "pdfcairo noenhanced size 6in,4in font 'sans,11'"},
     {".png", "pngcairo noenhanced size 1440,960 font 'sans,22' linewidth 2"}};
-
-/// A string of gnuplot: within single quotes only they themselves are special.
-std::string quoted(const std::string &text) {
-    std::string result = "'";
-    for (const char c : text) {
-        if (c == '\'')
-            result += "''";
-        else
-            result += c == '\n' || c == '\r' ? ' ' : c;
-    }
-    return result + "'";
-}
 
 std::string dataOf(const LogLogPlot &plot) {
     std::string text = "# x y low high; a block per series, in the order of the script\n";
@@ -95,65 +80,9 @@ std::string scriptOf(const LogLogPlot &plot, const std::string &data) {
     return text + "plot \\\n" + parts + '\n';
 }
 
-void write(const std::filesystem::path &file, const std::string &text) {
-    std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.close();
-    if (!stream)
-        throw PlotError(fmt::format("{}: cannot be written", file.string()));
-}
-
-std::string read(const std::filesystem::path &file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// Runs gnuplot in `folder` on commands given as an argument and a script there.
-/// \return  what it complains of; empty if it does not
-std::string gnuplot(const std::filesystem::path &folder, const std::string &commands,
-                    const std::string &script) {
-    std::array<int, 2> pipe{};
-    if (::pipe(pipe.data()) != 0)
-        throw PlotError("too many files are open");
-    const pid_t process = ::fork();
-    if (process < 0)
-        throw PlotError("gnuplot cannot be started: too many processes");
-    if (process == 0) {
-        ::dup2(pipe[1], STDERR_FILENO);
-        ::dup2(pipe[1], STDOUT_FILENO);
-        ::close(pipe[0]);
-        ::close(pipe[1]);
-        if (::chdir(folder.c_str()) == 0)
-            ::execlp("gnuplot", "gnuplot", "--default-settings", "-e", commands.c_str(),
-                     script.c_str(), nullptr);
-        ::_exit(127);
-    }
-    ::close(pipe[1]);
-    std::string log;
-    std::array<char, 4096> block{};
-    for (ssize_t count = 1; count != 0;) {
-        count = ::read(pipe[0], block.data(), block.size());
-        if (count > 0)
-            log.append(block.data(), static_cast<std::size_t>(count));
-        else if (count < 0 && errno != EINTR)
-            break;
-    }
-    ::close(pipe[0]);
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        throw PlotError("gnuplot cannot be run: install the package gnuplot-nox");
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::string() : "gnuplot failed: " + log;
-}
-
-/// Black becomes the colour of the page's text. gnuplot quotes attributes either way.
+/// Also alone in light and dark.
 std::string adaptive(std::string svg) {
-    for (const std::string black : {"\"black\"", "'black'", "\"rgb(  0,   0,   0)\"",
-                                    "'rgb(  0,   0,   0)'", "\"rgb(0,0,0)\"", "'rgb(0,0,0)'"}) {
-        for (std::size_t at = 0; (at = svg.find(black, at)) != std::string::npos;)
-            svg.replace(at, black.size(), "\"currentColor\"");
-    }
+    svg = withTextColour(std::move(svg));
     // Only an image that stands alone: inside a page `:root` would be the page.
     const std::size_t end = svg.find('>', svg.find("<svg"));
     if (end != std::string::npos)
@@ -167,18 +96,16 @@ std::string adaptive(std::string svg) {
 void writePlot(const LogLogPlot &plot, const std::filesystem::path &stem) {
     const std::string name = stem.filename().string();
     const std::filesystem::path folder = stem.has_parent_path() ? stem.parent_path() : ".";
-    write(folder / (name + ".dat"), dataOf(plot));
-    write(folder / (name + ".gp"), scriptOf(plot, name + ".dat"));
+    writeFile(folder / (name + ".dat"), dataOf(plot));
+    writeFile(folder / (name + ".gp"), scriptOf(plot, name + ".dat"));
     for (const Terminal &terminal : kTerminals) {
         const std::string output = name + terminal.suffix;
-        const std::string failure = gnuplot(
-            folder, fmt::format("set terminal {}; set output {}", terminal.options, quoted(output)),
-            name + ".gp");
-        if (!failure.empty())
-            throw PlotError(failure);
+        runGnuplot(folder,
+                   fmt::format("set terminal {}; set output {}", terminal.options, quoted(output)),
+                   name + ".gp");
     }
     const std::filesystem::path svg = folder / (name + ".svg");
-    write(svg, adaptive(read(svg)));
+    writeFile(svg, adaptive(readFile(svg)));
 }
 
 } // namespace plot
