@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace battery {
@@ -59,44 +60,74 @@ std::vector<Output> moved(const catalog::WarpEntry &entry, std::span<const Outpu
     return result;
 }
 
+/// Of outputs, with the distance that the right distribution has from them.
+struct Observed {
+    std::vector<double> frequencies;
+    double error = 0.0;
+    double noise = 0.0; ///< the distance that sampling noise alone gives
+};
+
+Observed observe(const catalog::WarpEntry &entry, double a, std::span<const Output> outputs) {
+    Observed observed;
+    observed.frequencies = frequencies(entry, a, outputs);
+    std::vector<double> right(observed.frequencies.size(), 1.0 / (kBins * kBins));
+    right.back() = 0.0;
+    observed.error = distance(observed.frequencies, right);
+    observed.noise = 0.5 * kBins * kBins / static_cast<double>(outputs.size());
+    return observed;
+}
+
+std::vector<MistakeMatch> rank(const catalog::WarpEntry &entry, double a,
+                               const Observed &observed) {
+    const std::vector<Input> inputs = stratifiedInputs(kPredictionSide, 1);
+    std::vector<MistakeMatch> matches;
+    for (const catalog::WarpMistake &mistake : catalog::warpMistakes()) {
+        if (mistake.warpId != entry.id) {
+            continue;
+        }
+        const std::vector<Output> predicted = predictedOutputs(mistake, a, inputs);
+        double best = observed.error;
+        for (int k = 0; k < catalog::symmetryCount(entry); ++k) {
+            best = std::min(best, distance(observed.frequencies,
+                                           frequencies(entry, a, moved(entry, predicted, k))));
+        }
+        const double unexplained =
+            best < observed.error ? std::max(0.0, best - observed.noise) : observed.error;
+        matches.push_back({&mistake, observed.error > 0.0
+                                         ? std::min(1.0, 1.0 - unexplained / observed.error)
+                                         : 0.0});
+    }
+    std::stable_sort(
+        matches.begin(), matches.end(),
+        [](const MistakeMatch &x, const MistakeMatch &y) { return x.explained > y.explained; });
+    return matches;
+}
+
 } // namespace
+
+std::vector<MistakeMatch> rankMistakes(const catalog::WarpEntry &entry, double a,
+                                       std::span<const Output> outputs) {
+    if (outputs.empty()) {
+        throw std::invalid_argument("rankMistakes: there are no outputs");
+    }
+    return rank(entry, a, observe(entry, a, outputs));
+}
 
 MistakeMatch nearestMistake(const catalog::WarpEntry &entry, double a,
                             std::span<const Output> outputs) {
     if (outputs.empty()) {
         return {};
     }
-    const std::vector<double> observed = frequencies(entry, a, outputs);
-    std::vector<double> right(observed.size(), 1.0 / (kBins * kBins));
-    right.back() = 0.0;
-    const double error = distance(observed, right);
-    // Sampling noise alone puts this much between a distribution and its own histogram.
-    const double noise = 0.5 * kBins * kBins / static_cast<double>(outputs.size());
-
-    const std::vector<Input> inputs = stratifiedInputs(kPredictionSide, 1);
-    const catalog::WarpMistake *best = nullptr;
-    double bestDistance = error;
-    for (const catalog::WarpMistake &mistake : catalog::warpMistakes()) {
-        if (mistake.warpId != entry.id) {
-            continue;
-        }
-        const std::vector<Output> predicted = predictedOutputs(mistake, a, inputs);
-        for (int k = 0; k < catalog::symmetryCount(entry); ++k) {
-            const double d = distance(observed, frequencies(entry, a, moved(entry, predicted, k)));
-            if (d < bestDistance) {
-                bestDistance = d;
-                best = &mistake;
-            }
-        }
+    const Observed observed = observe(entry, a, outputs);
+    const std::vector<MistakeMatch> matches = rank(entry, a, observed);
+    if (matches.empty()) {
+        return {};
     }
-    MistakeMatch match;
-    if (error > 0.0) {
-        match.explained = std::min(1.0, 1.0 - std::max(0.0, bestDistance - noise) / error);
+    MistakeMatch best = matches.front();
+    if (observed.error <= 4.0 * observed.noise || best.explained < 0.95) {
+        best.mistake = nullptr;
     }
-    if (best != nullptr && error > 4.0 * noise && match.explained >= 0.95) {
-        match.mistake = best;
-    }
-    return match;
+    return best;
 }
 
 } // namespace battery

@@ -125,6 +125,25 @@ double toleranceZonePValue(double statistic, int degreesOfFreedom, double sample
     return cdf(complement(NoncentralLaw(degreesOfFreedom, noncentrality), statistic));
 }
 
+double toleranceZoneDensity(double statistic, int degreesOfFreedom, double sampleCount,
+                            double tolerance) {
+    requirePositive(sampleCount, degreesOfFreedom, "toleranceZoneDensity");
+    const double noncentrality = sampleCount * tolerance * tolerance;
+    return noncentrality > 0.0
+               ? boost::math::pdf(NoncentralLaw(degreesOfFreedom, noncentrality), statistic)
+               : boost::math::pdf(CentralLaw(degreesOfFreedom), statistic);
+}
+
+double toleranceZoneCritical(double level, int degreesOfFreedom, double sampleCount,
+                             double tolerance) {
+    requirePositive(sampleCount, degreesOfFreedom, "toleranceZoneCritical");
+    const double noncentrality = sampleCount * tolerance * tolerance;
+    return noncentrality > 0.0 ? boost::math::quantile(boost::math::complement(
+                                     NoncentralLaw(degreesOfFreedom, noncentrality), level))
+                               : boost::math::quantile(
+                                     boost::math::complement(CentralLaw(degreesOfFreedom), level));
+}
+
 double rmsErrorEstimate(double statistic, int degreesOfFreedom, double sampleCount) {
     requirePositive(sampleCount, degreesOfFreedom, "rmsErrorEstimate");
     return std::sqrt(std::fmax(0.0, statistic - degreesOfFreedom) / sampleCount);
@@ -151,12 +170,8 @@ double rmsErrorUpperBound(double statistic, int degreesOfFreedom, double sampleC
 double rmsErrorDetectable(int degreesOfFreedom, double sampleCount,
                           const DetectableErrorConfig &config) {
     requirePositive(sampleCount, degreesOfFreedom, "rmsErrorDetectable");
-    const double nullNoncentrality = sampleCount * config.tolerance * config.tolerance;
     const double critical =
-        nullNoncentrality == 0.0
-            ? quantile(complement(CentralLaw(degreesOfFreedom), config.significance))
-            : quantile(complement(NoncentralLaw(degreesOfFreedom, nullNoncentrality),
-                                  config.significance));
+        toleranceZoneCritical(config.significance, degreesOfFreedom, sampleCount, config.tolerance);
     return std::sqrt(
         NoncentralLaw::find_non_centrality(degreesOfFreedom, critical, 1.0 - config.power) /
         sampleCount);

@@ -43,6 +43,14 @@ ChiSquareResult chiSquareEqualCells(std::span<const double> observed, double sam
 double toleranceZonePValue(double statistic, int degreesOfFreedom, double sampleCount,
                            double tolerance);
 
+/// Density of the statistic when the rms error is exactly `tolerance`: for a picture of the test.
+double toleranceZoneDensity(double statistic, int degreesOfFreedom, double sampleCount,
+                            double tolerance);
+
+/// The statistic from which on a test at this level rejects.
+double toleranceZoneCritical(double level, int degreesOfFreedom, double sampleCount,
+                             double tolerance);
+
 /// Estimate of the rms relative density error over the cells, sqrt(max(0, X^2 - df) / N).
 double rmsErrorEstimate(double statistic, int degreesOfFreedom, double sampleCount);
 
