@@ -16,7 +16,7 @@ set(ALLOWED
     "grading/probe:probe,protocol,nori"
     "grading/plot:plot"
     "grading/decoder:decoder,protocol"
-    "grading/grader:grader,plot,protocol,battery,catalog,statistics")
+    "grading/grader:grader,plot,protocol,battery,catalog,statistics,window")
 set(OURS "battery|bindings|catalog|decoder|grader|nori|plot|probe|protocol|statistics|viewer|window")
 
 foreach(row IN LISTS ALLOWED)

@@ -11,6 +11,7 @@
 
 #include "dump.h"
 #include "graphics.h"
+#include "page.h"
 #include <viewer/battery_report.h>
 #include <viewer/report_json.h>
 
@@ -93,6 +94,10 @@ ExitCode runTests(const CommandLine &line, const std::vector<viewer::Subject> &s
         if (!line.evidence.empty() && task.isShown) {
             fmt::print(stderr, "saved {}\n", saveEvidence(*task.subject, report, line.evidence));
         }
+    }
+    if (!line.html.empty()) {
+        writePage(line, tests);
+        fmt::print(stderr, "saved {}\n", line.html);
     }
     if (line.json) {
         fmt::print("{}", viewer::documentJson(tests));

@@ -8,41 +8,12 @@
 #include <cmath>
 
 #include "html.h"
+#include "page_style.h"
 #include "terminal_report.h"
 
 namespace grader {
 
 namespace {
-
-// Colours have a contrast of at least 4.5 on their background and differ under every common form of
-// colour blindness; each verdict has its sign and word as well.
-constexpr char kStyle[] = R"(
-:root { color-scheme: light dark; --text: #1a1a1a; --back: #ffffff; --soft: #f2f3f5; --line: #c9ccd1;
-  --pass: #0072b2; --fail: #b34700; --look: #7a5200; --none: #5a6069; }
-@media (prefers-color-scheme: dark) {
-  :root { --text: #e8e8e8; --back: #16181b; --soft: #22252a; --line: #454a52;
-    --pass: #56b4e9; --fail: #ff8a3d; --look: #f0e442; --none: #a7aeb8; } }
-body { margin: 0 auto; max-width: 62rem; padding: 1rem; color: var(--text); background: var(--back);
-  font: 1rem/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.5rem; margin-bottom: 0; overflow-wrap: anywhere; }
-h2 { font-size: 1.15rem; margin-top: 2rem; }
-.total { font-size: 2rem; margin: .5rem 0; }
-table { border-collapse: collapse; width: 100%; }
-th, td { text-align: left; vertical-align: top; padding: .35rem .6rem; overflow-wrap: anywhere;
-  border-bottom: 1px solid var(--line); }
-thead th { background: var(--soft); }
-.number { text-align: right; white-space: nowrap; }
-.verdict { white-space: nowrap; font-weight: 600; }
-.pass { color: var(--pass); } .fail { color: var(--fail); }
-.look { color: var(--look); } .none { color: var(--none); }
-details { margin: .5rem 0; border: 1px solid var(--line); border-radius: .3rem; }
-summary { cursor: pointer; padding: .4rem .6rem; background: var(--soft); }
-.scroll { overflow-x: auto; }
-.message { white-space: pre-wrap; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; }
-dd { margin: 0; overflow-wrap: anywhere; }
-@media print { details { break-inside: avoid; } }
-)";
 
 struct Look {
     const char *style;
@@ -190,7 +161,7 @@ std::string htmlPage(const SubmissionResult &result, const Provenance &provenanc
                     "base-uri 'none'; form-action 'none'\">\n"
                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                     "<title>{} – {}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-                    contentHash(kStyle), escapeHtml(result.name), sumLine(result), kStyle);
+                    contentHash(kPageStyle), escapeHtml(result.name), sumLine(result), kPageStyle);
     html += fmt::format("<h1>{}</h1>\n", isolated(result.name));
     if (!result.members.empty())
         html += fmt::format("<p>{}</p>\n",

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,38 @@ TEST_F(Warptest, DumpsTheCountsOfTheMaps) {
     const std::string matlab = run({"disk", "--dump", "m", "--rows", "6"}).output;
     for (const char *name : {"obsFrequencies = [", "expFrequencies = [", "sampleCount = 262144"})
         EXPECT_NE(matlab.find(name), std::string::npos) << matlab;
+}
+
+TEST_F(Warptest, PageIsWholeWithoutScriptsAndNetwork) {
+    const exam::Outcome outcome =
+        run({"triangle, wrong: missing_sqrt", "--mistakes", "--seeds", "2", "--samples", "65536",
+             "--points", "stratified", "--json", "--html", path("page.html")});
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    const std::string page = read("page.html");
+    for (const char *part :
+         {"default-src 'none'", "style-src 'sha256-", "✖ fail", "Map of the residuals",
+          "Nearest known mistakes", "The square root is missing", "Samples: stratified",
+          "Histogram of the residuals", "Counts along y", "Sorted p-values of all seeds", "χ²",
+          "--points stratified", "prefers-color-scheme: dark", "@media print"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    // nothing runs, nothing is fetched, and no style but the one that the policy names
+    for (const char *part : {"<script>", "src=", " style=", "onload", "url(", "@import"})
+        EXPECT_EQ(page.find(part), std::string::npos) << part;
+    for (std::size_t at = 0; (at = page.find("http", at)) != std::string::npos; ++at)
+        EXPECT_TRUE(page.compare(at, 18, "http://www.w3.org/") == 0 ||
+                    page.compare(at, 10, "http-equiv") == 0)
+            << page.substr(at, 60);
+    const std::string mark = "id=\"warptest\">";
+    const std::size_t data = page.find(mark) + mark.size();
+    EXPECT_EQ(Json::parse(page.substr(data, page.find("</script>", data) - data)),
+              Json::parse(outcome.output));
+    std::set<std::string> ids;
+    for (const char *quote : {" id=\"", " id='"}) {
+        for (std::size_t at = 0; (at = page.find(quote, at)) != std::string::npos; at += 5) {
+            const std::string id = page.substr(at + 5, page.find(quote[4], at + 5) - at - 5);
+            EXPECT_TRUE(ids.insert(id).second) << id << " stands twice";
+        }
+    }
 }
 
 TEST_F(Warptest, TestsAStudentsFileInTheBox) {
