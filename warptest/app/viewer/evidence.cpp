@@ -52,8 +52,8 @@ window::Picture drawPicture(const Subject &subject, const TestReport &report) {
                   fmt::format("{}: {}", truth.warpFunction, label(report.result.verdict)), kInk);
     picture.write(kMargin, kMargin + kLine, report.result.headline, kInk);
     picture.write(kMargin, kMargin + 2 * kLine,
-                  fmt::format("{}seed {}, {} points in the maps", parameter, report.settings.seed,
-                              report.maps.points),
+                  fmt::format("{}code of {}, seed {}, {} points in the maps", parameter,
+                              subject.from, report.settings.seed, report.maps.points),
                   kInk);
     const int top = kMargin + 4 * kLine;
     const std::string titles[] = {fmt::format("Observed, 0 … {:.4g}", report.maps.largest),
