@@ -61,7 +61,7 @@ std::string figure(const battery::Maps &maps, const std::string &name, const std
     const battery::Chart &chart = maps.chart;
     return fmt::format(
         "<figure class=\"map\"><figcaption><strong>{}</strong></figcaption>\n"
-        "<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" stroke-width=\".05\" "
+        "<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" stroke-width=\".15\" "
         "preserveAspectRatio=\"none\">{}</svg>\n"
         "<p>{} {:.3g} … {:.3g} →<br>{} {:.3g} … {:.3g} ↑</p></figure>\n",
         name, label, maps.side, maps.side, cells(maps.side, colorOf), chart.xLabel, chart.low[0],
