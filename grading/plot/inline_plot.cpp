@@ -84,7 +84,7 @@ std::string asElement(std::string svg, const InlinePlot &plot, const std::string
     std::string title;
     for (const char c : plot.title)
         title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-    svg.insert(4, fmt::format(" class=\"plot\" role=\"img\" aria-label=\"{}\"", title));
+    svg.insert(4, fmt::format(R"( class="plot" role="img" aria-label="{}")", title));
     return withTextColour(std::move(svg));
 }
 

@@ -58,7 +58,7 @@ double passLimit(const catalog::WarpEntry &entry, double a) {
 std::array<Histogram, 4> countHistograms(const UnitSquarePoints &points) {
     std::array<Histogram, 4> histograms{Histogram{32, 32}, Histogram{8, 8}, Histogram{256, 1},
                                         Histogram{1, 256}};
-    std::array<std::uint32_t, 32 * 32> fine{};
+    std::array<std::uint32_t, 1024> fine{}; // 32x32
     std::array<std::uint32_t, 256> alongU{};
     std::array<std::uint32_t, 256> alongV{};
     for (std::size_t i = 0; i < points.u.size(); ++i) {

@@ -141,8 +141,10 @@ std::vector<double> integrate(ChartDensity &density, const std::vector<Cell> &ce
 double midpointSum(ChartDensity &density, const std::vector<Cell> &cells) {
     std::vector<Square> places;
     for (const Cell &cell : cells) {
-        for (int k = 0; k < 9; ++k) {
-            places.push_back(cell.at((k / 3 + 0.5) / 3.0, (k % 3 + 0.5) / 3.0));
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) {
+                places.push_back(cell.at((row + 0.5) / 3.0, (column + 0.5) / 3.0));
+            }
         }
     }
     double sum = 0.0;
@@ -203,6 +205,7 @@ Table makeTable(ChartDensity &density, const Chart &chart, TabulatedTarget &targ
     table.rowSums.push_back(0.0);
     for (int i = 0; i < table.rows; ++i) {
         std::vector<Cell> cells;
+        cells.reserve(static_cast<std::size_t>(table.columns));
         for (int j = 0; j < table.columns; ++j) {
             cells.push_back({i * height, j * width, height, width});
         }
@@ -230,10 +233,12 @@ void enlarge(const Chart &chart, catalog::WarpEntry &entry) {
     constexpr int kProbes = 33;
     Point low = chart.point({0.0, 0.0});
     Point high = low;
-    for (int i = 0; i < kProbes * kProbes; ++i) {
-        const Point p = chart.point({i / kProbes / (kProbes - 1.0), i % kProbes / (kProbes - 1.0)});
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), 0.0};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), 0.0};
+    for (int i = 0; i < kProbes; ++i) {
+        for (int j = 0; j < kProbes; ++j) {
+            const Point p = chart.point({i / (kProbes - 1.0), j / (kProbes - 1.0)});
+            low = {std::min(low.x, p.x), std::min(low.y, p.y), 0.0};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y), 0.0};
+        }
     }
     const double dx = 0.25 * (high.x - low.x);
     const double dy = 0.25 * (high.y - low.y);

@@ -51,7 +51,7 @@ std::string cells(int side, const std::function<std::string(std::size_t)> &color
     }
     std::string svg;
     for (const auto &[color, path] : paths) {
-        svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>", color, path);
+        svg += fmt::format(R"(<path fill="{0}" stroke="{0}" d="{1}"/>)", color, path);
     }
     return svg;
 }
@@ -73,7 +73,7 @@ std::string colorBar(const std::string &low, const std::string &high,
                      const std::function<std::string(double)> &colorOf) {
     std::string steps;
     for (int i = 0; i < kBarSteps; ++i) {
-        steps += fmt::format("<rect x=\"{}\" width=\"1\" height=\"1\" fill=\"{}\"/>", i,
+        steps += fmt::format(R"(<rect x="{}" width="1" height="1" fill="{}"/>)", i,
                              colorOf((i + 0.5) / kBarSteps));
     }
     return fmt::format(

@@ -48,7 +48,7 @@ std::string picture(const std::string &name, std::size_t count, std::size_t step
     }
     std::string svg;
     for (std::size_t near = 0; near < 2; ++near)
-        svg += fmt::format("<path d=\"{}\" stroke-opacity=\"{}\"/>", paths.at(near),
+        svg += fmt::format(R"(<path d="{}" stroke-opacity="{}"/>)", paths.at(near),
                            near == 1 ? 0.8 : 0.25);
     return fmt::format("<figure class=\"map\"><figcaption><strong>{0}</strong></figcaption>\n"
                        "<svg role=\"img\" aria-label=\"{0}\" viewBox=\"-10 -10 1020 1020\" "
