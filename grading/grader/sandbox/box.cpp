@@ -3,6 +3,7 @@
 
 #include <grader/error.h>
 #include <grader/sandbox/cgroup.h>
+#include <grader/sandbox/guard.h>
 #include <grader/sandbox/launch.h>
 #include <grader/sandbox/supervisor.h>
 
@@ -49,6 +50,7 @@ BoxOutcome Sandbox::run(const BoxSpec &spec) const {
     if (m_level < SandboxLevel::S2)
         throw GraderError("this machine cannot lock submissions in, so none is run; `norigrade "
                           "doctor` says what is missing");
+    keepGuard();
     std::optional<Cgroup> cgroup;
     if (m_level == SandboxLevel::S3)
         cgroup.emplace(m_cgroups, spec.limits);
