@@ -61,9 +61,17 @@ std::string fileOf(const std::string &owner, bool linking) {
 }
 
 void findMissing(const std::string &message, const std::string &enclosing, BuildFailure &failure) {
-    for (const MissingPattern &row : kMissingPatterns) {
+    // Made once: an expression takes longer to make than to search for.
+    static const std::vector<std::regex> kExpressions = [] {
+        std::vector<std::regex> expressions;
+        for (const MissingPattern &row : kMissingPatterns)
+            expressions.emplace_back(row.pattern);
+        return expressions;
+    }();
+    for (std::size_t i = 0; i < kExpressions.size(); ++i) {
+        const MissingPattern &row = kMissingPatterns[i];
         std::smatch match;
-        if (!std::regex_search(message, match, std::regex(row.pattern)))
+        if (!std::regex_search(message, match, kExpressions[i]))
             continue;
         const bool linking = failure.unit == "link";
         failure.missing = match[row.what];
