@@ -9,8 +9,10 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <chrono>
 #include <cmath>
 #include <mutex>
+#include <thread>
 
 NORI_NAMESPACE_BEGIN
 
@@ -18,6 +20,8 @@ namespace {
 
 /// Of an image [pixels]; with the filter's border it must still be an int.
 constexpr int kMaxSide = 1 << 24;
+
+constexpr std::chrono::milliseconds kPausePoll{20};
 
 /// Sums of one pixel and channel about a running mean. \see Pebay 2008, eq. 2.1 and 2.2
 struct Accumulator {
@@ -91,7 +95,8 @@ public:
     }
 
     RenderResult run() {
-        m_scene.getIntegrator()->preprocess(&m_scene);
+        if (m_options.preprocess)
+            m_scene.getIntegrator()->preprocess(&m_scene);
         const size_t threads = m_options.threads > 0 ? static_cast<size_t>(m_options.threads)
                                                      : static_cast<size_t>(getCoreCount());
         {
@@ -125,7 +130,21 @@ private:
             static_cast<Sampler *>(NoriObjectFactory::createInstance("independent", properties)));
     }
 
-    bool isCancelled() const { return m_options.cancelled != nullptr && *m_options.cancelled; }
+    static bool isSet(const std::atomic<bool> *flag) { return flag != nullptr && *flag; }
+
+    /// Waits while rendering is paused.
+    bool isCancelled() const {
+        while (isSet(m_options.paused) && !isSet(m_options.cancelled))
+            std::this_thread::sleep_for(kPausePoll);
+        return isSet(m_options.cancelled);
+    }
+
+    void report(const std::function<void(const ImageBlock &)> &callback, const ImageBlock &block) {
+        if (!callback)
+            return;
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        callback(block);
+    }
 
     void renderBlock(size_t index) {
         if (isCancelled())
@@ -136,6 +155,7 @@ private:
         auto block = std::make_unique<ImageBlock>(size, m_camera.getReconstructionFilter());
         block->setOffset(offset);
         block->clear();
+        report(m_options.blockBegun, *block);
         const std::unique_ptr<Sampler> sampler = m_sampler->clone();
         sampler->prepare(*block);
         bool complete = true;
@@ -144,6 +164,8 @@ private:
                 complete = complete &&
                            renderPixel(Point2i(x + offset.x(), y + offset.y()), *sampler, *block);
         }
+        if (complete)
+            report(m_options.blockDone, *block);
         m_blocks[index] = std::move(block);
         const std::lock_guard<std::mutex> lock(m_mutex);
         m_done += complete ? 1 : 0;
@@ -185,7 +207,7 @@ private:
     std::vector<std::unique_ptr<ImageBlock>> m_blocks; ///< null: not begun
     std::unique_ptr<ImageBlock> m_image;
     std::vector<PixelMoments> m_moments;
-    std::mutex m_mutex; ///< of m_done and the progress callback
+    std::mutex m_mutex; ///< of m_done and the callbacks
     size_t m_done = 0;  ///< finished blocks
 };
 

@@ -10,13 +10,20 @@
 
 NORI_NAMESPACE_BEGIN
 
+class ImageBlock;
+
 struct RenderOptions {
-    int samplesPerPixel = 0;                       ///< 0: what the scene's sampler says
-    std::optional<int> seed;                       ///< nothing: the scene's sampler as it is
-    int threads = 0;                               ///< 0: one per core
-    bool moments = false;                          ///< fill in RenderResult::moments
-    const std::atomic<bool> *cancelled = nullptr;  ///< polled before every sample
-    std::function<void(double fraction)> progress; ///< called by one thread at a time
+    int samplesPerPixel = 0;                      ///< 0: what the scene's sampler says
+    std::optional<int> seed;                      ///< nothing: the scene's sampler as it is
+    int threads = 0;                              ///< 0: one per core
+    bool moments = false;                         ///< fill in RenderResult::moments
+    bool preprocess = true;                       ///< false: the integrator has done that before
+    const std::atomic<bool> *cancelled = nullptr; ///< polled before every sample
+    const std::atomic<bool> *paused = nullptr;    ///< as well; nothing happens until it is false
+    // Called by one thread at a time.
+    std::function<void(double fraction)> progress;
+    std::function<void(const ImageBlock &)> blockBegun;
+    std::function<void(const ImageBlock &)> blockDone; ///< not when it was cancelled
 };
 
 /// Of the unfiltered samples of one pixel (box filter), per channel; dropped samples do not count.
