@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <imgui/backends/imgui_impl_glfw.h>
@@ -14,17 +16,23 @@ namespace {
 
 /// ImGui settles (hovering, keyboard focus, sizes of windows) within so many frames of an event.
 constexpr int kSettlingFrames = 3;
-constexpr double kBusyInterval = 0.05;
+constexpr double kScaleStep = 1.125; ///< of Ctrl + and Ctrl -
 
 std::atomic<bool> &isOpen() {
     static std::atomic<bool> open{false};
     return open;
 }
 
+/// By the characters on the keys, which are elsewhere on other keyboards than the American one.
+char characterOf(int key, int scancode) {
+    const char *const name = glfwGetKeyName(key, scancode);
+    return name == nullptr ? '\0' : *name;
+}
+
 /// GLFW and its window, undone in the right order.
 class Display {
 public:
-    explicit Display(const Options &options, Ui &ui) {
+    explicit Display(const Options &options, Ui &ui) : m_ui(ui) {
         if (!hasDisplay())
             throw NoWindow("there is no display (DISPLAY is not set)");
         if (glfwInit() == GLFW_FALSE)
@@ -42,12 +50,18 @@ public:
         }
         glfwMakeContextCurrent(m_window);
         glfwSwapInterval(1);
-        glfwSetWindowUserPointer(m_window, &ui);
+        glfwSetWindowUserPointer(m_window, this);
         glfwSetDropCallback(m_window, [](GLFWwindow *window, int count, const char **files) {
-            auto *const contents = static_cast<Ui *>(glfwGetWindowUserPointer(window));
+            auto *const display = static_cast<Display *>(glfwGetWindowUserPointer(window));
             for (int i = 0; i < count; ++i)
-                contents->onFileDropped(files[i]);
+                display->m_ui.onFileDropped(files[i]);
         });
+        glfwSetKeyCallback( // ImGui's back-end calls it before its own
+            m_window, [](GLFWwindow *window, int key, int scancode, int action, int modifiers) {
+                auto *const display = static_cast<Display *>(glfwGetWindowUserPointer(window));
+                if (action != GLFW_RELEASE && (modifiers & GLFW_MOD_CONTROL) != 0)
+                    display->press(characterOf(key, scancode));
+            });
         isOpen() = true;
     }
 
@@ -62,14 +76,29 @@ public:
 
     GLFWwindow *window() const { return m_window; }
 
+    /// Presses of Ctrl + less those of Ctrl - since the last call.
+    int takeScaleSteps() { return std::exchange(m_scaleSteps, 0); }
+
 private:
+    /// With Ctrl held. Here and not in a frame: ImGui 1.86 misses what is over before the next one.
+    void press(char key) {
+        if (key == '+' || key == '=')
+            ++m_scaleSteps;
+        else if (key == '-')
+            --m_scaleSteps;
+        else if (key >= 'a' && key <= 'z')
+            m_ui.onShortcut(key);
+    }
+
     static std::string lastError() {
         const char *text = nullptr;
         glfwGetError(&text);
         return text == nullptr ? "no reason is given" : text;
     }
 
+    Ui &m_ui;
     GLFWwindow *m_window = nullptr;
+    int m_scaleSteps = 0;
 };
 
 /// The GLFW back-end of ImGui, which must end before ImGui's context.
@@ -88,7 +117,7 @@ public:
 
 void waitForEvents(const Ui &ui, int &settling) {
     if (ui.isBusy()) {
-        glfwWaitEventsTimeout(kBusyInterval);
+        glfwWaitEventsTimeout(ui.busyInterval());
         settling = kSettlingFrames;
     } else if (settling > 0) {
         --settling;
@@ -116,7 +145,7 @@ void wakeWindow() {
 }
 
 void runWindow(const Options &options, Ui &ui) {
-    const Display display(options, ui);
+    Display display(options, ui);
     GLFWwindow *const window = display.window();
     float contentScale = 1.0f;
     glfwGetWindowContentScale(window, &contentScale, nullptr);
@@ -129,6 +158,9 @@ void runWindow(const Options &options, Ui &ui) {
         int width = 0;
         int height = 0;
         glfwGetFramebufferSize(window, &width, &height);
+        const int steps = display.takeScaleSteps();
+        if (steps != 0)
+            frames.changeScale(std::pow(kScaleStep, steps));
         if (width > 0 && height > 0) { // neither when it is iconified
             ImGui_ImplGlfw_NewFrame();
             open = frames.draw(width, height);

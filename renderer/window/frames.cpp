@@ -44,6 +44,12 @@ void Frames::restyle() {
     m_fontsReady = true;
 }
 
+void Frames::changeScale(double factor) {
+    m_frame.scale = static_cast<float>(
+        std::clamp(static_cast<double>(m_frame.scale) * factor, kMinScale, kMaxScale));
+    restyle();
+}
+
 bool Frames::draw(int width, int height, const std::string &textFile) {
     Requests requests;
     m_frame.width = static_cast<float>(width);
@@ -65,12 +71,10 @@ bool Frames::draw(int width, int height, const std::string &textFile) {
     glClearColor(paper.x, paper.y, paper.z, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (requests.scale != 0)
-        m_frame.scale = static_cast<float>(std::clamp(requests.scale, kMinScale, kMaxScale));
-    if (requests.setTheme)
+    if (requests.setTheme) {
         m_frame.theme = requests.theme;
-    if (requests.scale != 0 || requests.setTheme)
         restyle();
+    }
     return !requests.close;
 }
 

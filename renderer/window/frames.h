@@ -22,6 +22,9 @@ public:
     /// \return  false if the contents ask to be closed
     bool draw(int width, int height, const std::string &textFile = {});
 
+    /// Makes text and spaces larger or smaller, from the next frame on.
+    void changeScale(double factor);
+
 private:
     void restyle();
 

@@ -24,7 +24,6 @@ struct Options {
 /// What a key or a widget may ask of the frame around it.
 struct Requests {
     bool close = false;
-    double scale = 0; ///< another scale; 0: as it is
     bool setTheme = false;
     Theme theme = Theme::Dark;
 };
@@ -45,8 +44,14 @@ public:
     /// Called between ImGui's NewFrame and Render, with the OpenGL context current.
     virtual void draw(const Frame &frame) = 0;
 
-    /// Something moves by itself: frames follow each other at about 20 a second.
+    /// Something moves by itself: frames follow each other without events.
     virtual bool isBusy() const { return false; }
+
+    /// Between the frames of what moves by itself [s].
+    virtual double busyInterval() const { return 0.05; }
+
+    /// Ctrl and a letter (a small one) were pressed, however shortly.
+    virtual void onShortcut(char) {}
 
     /// Files were dropped onto the window, or the user closed it.
     virtual void onFileDropped(const std::string &) {}
