@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 set(ALLOWED
     "renderer/include:nori"
     "renderer/src:nori"
-    "renderer/app:nori,window"
+    "renderer/app:preview,nori,window"
     "renderer/window:window"
     "warptest/statistics:statistics"
     "warptest/catalog:catalog"
@@ -17,7 +17,7 @@ set(ALLOWED
     "grading/plot:plot"
     "grading/decoder:decoder,protocol"
     "grading/grader:grader,plot,protocol,battery,catalog,statistics,window")
-set(OURS "battery|bindings|catalog|decoder|grader|nori|plot|probe|protocol|statistics|viewer|window")
+set(OURS "battery|bindings|catalog|decoder|grader|nori|plot|preview|probe|protocol|statistics|viewer|window")
 
 foreach(row IN LISTS ALLOWED)
     string(REGEX MATCH "^([^:]+):(.+)$" _ ${row})

@@ -91,6 +91,7 @@ void writeStarter(const std::filesystem::path &folder) {
     const std::pair<const char *, const char *> folders[] = {
         {"renderer/starter", ""},
         {"renderer/app", "app"},
+        {"renderer/window", "window"},
         {"scenes/assignment-2", "scenes/assignment-2"},
         {"scenes/meshes", "scenes/meshes"}};
     for (const auto &[from, to] : folders) {

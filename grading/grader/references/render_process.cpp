@@ -83,17 +83,12 @@ RenderEnd runRenderer(const RenderJob &job, const std::atomic<bool> &interrupted
     stem.replace_extension(fmt::format(".part-{}", ::getpid()));
     const fs::path exr = stem.string() + ".exr";
     const Leftovers leftovers({exr, stem.string() + ".png"});
-    std::vector<std::string> arguments{"nori",
-                                       job.scene.string(),
-                                       "--moments",
-                                       "--spp",
-                                       std::to_string(job.samplesPerPixel),
-                                       "--seed",
-                                       std::to_string(job.seed),
-                                       "--size",
-                                       fmt::format("{}x{}", job.width, job.height),
-                                       "--output",
-                                       exr.string()};
+    std::vector<std::string> arguments{"nori",     job.scene.string(),
+                                       "--no-gui", "--moments",
+                                       "--spp",    std::to_string(job.samplesPerPixel),
+                                       "--seed",   std::to_string(job.seed),
+                                       "--size",   fmt::format("{}x{}", job.width, job.height),
+                                       "--output", exr.string()};
     if (!job.integrator.empty())
         arguments.insert(arguments.end(), {"--integrator", job.integrator});
     const int status = waitFor(start(arguments), interrupted);

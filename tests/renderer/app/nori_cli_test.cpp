@@ -6,10 +6,6 @@
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +15,11 @@
 #include <string>
 #include <vector>
 
+#include <renderer/app/nori_program.h>
+
 namespace fs = std::filesystem;
+using nori::test::Outcome;
+using nori::test::Program;
 
 namespace {
 
@@ -35,88 +35,6 @@ constexpr char kScene[] = R"(<scene>
 constexpr char kTriangle[] = "v -1 -1 5\nv 1 -1 5\nv 0 1 5\nf 1 3 2\n";
 constexpr char kBlackScene[] = R"(<scene><integrator type="direct_ems"/><camera type="perspective">
   <integer name="width" value="64"/><integer name="height" value="64"/></camera></scene>)";
-
-std::string readAll(int descriptor) {
-    std::string text;
-    char buffer[4096];
-    for (ssize_t count = 0; (count = ::read(descriptor, buffer, sizeof buffer)) > 0;)
-        text.append(buffer, static_cast<std::size_t>(count));
-    return text;
-}
-
-/// What a run of the program left.
-struct Outcome {
-    int code = -1; ///< exit code; -1 if a signal ended it
-    std::string output;
-    std::string errors;
-};
-
-/// `nori` with these arguments, running in `folder`.
-class Program {
-public:
-    Program(const fs::path &folder, const std::vector<std::string> &arguments,
-            rlim_t largestFile = RLIM_INFINITY) {
-        int out[2] = {};
-        int err[2] = {};
-        if (::pipe(out) != 0 || ::pipe(err) != 0)
-            throw std::runtime_error("pipe() failed");
-        m_pid = ::fork();
-        if (m_pid == 0) {
-            ::dup2(out[1], STDOUT_FILENO);
-            ::dup2(err[1], STDERR_FILENO);
-            for (const int descriptor : {out[0], out[1], err[0], err[1]})
-                ::close(descriptor);
-            const rlimit limit{largestFile, largestFile};
-            ::setrlimit(RLIMIT_FSIZE, &limit);
-            std::vector<char *> argv{const_cast<char *>("nori")};
-            for (const std::string &argument : arguments)
-                argv.push_back(const_cast<char *>(argument.c_str()));
-            argv.push_back(nullptr);
-            if (::chdir(folder.c_str()) == 0)
-                ::execv(NORI_PROGRAM, argv.data());
-            ::_exit(127);
-        }
-        ::close(out[1]);
-        ::close(err[1]);
-        m_out = out[0];
-        m_err = err[0];
-    }
-
-    ~Program() {
-        ::close(m_out);
-        ::close(m_err);
-    }
-
-    Program(const Program &) = delete;
-    Program &operator=(const Program &) = delete;
-    Program(Program &&) = delete;
-    Program &operator=(Program &&) = delete;
-
-    /// Waits until it has said something on stderr.
-    void waitForWarning() const {
-        char first = 0;
-        ASSERT_EQ(::read(m_err, &first, 1), 1);
-    }
-
-    void signal(int number) const { ::kill(m_pid, number); }
-
-    /// Waits for the end.
-    Outcome finish() const {
-        Outcome outcome;
-        outcome.output = readAll(m_out);
-        outcome.errors = readAll(m_err);
-        int status = 0;
-        ::waitpid(m_pid, &status, 0);
-        if (WIFEXITED(status))
-            outcome.code = WEXITSTATUS(status);
-        return outcome;
-    }
-
-private:
-    pid_t m_pid = 0;
-    int m_out = -1;
-    int m_err = -1;
-};
 
 struct Exr {
     std::map<std::string, std::string> attributes;
@@ -314,10 +232,11 @@ TEST_F(Nori, ReportsScenesThatCannotBeRead) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {"typo.xml", "typo.xml:2: <emitter type=\"aera\">: unknown emitter; known: area"},
         {"absent.xml", "absent.xml: No such file"},
-        {"image.exr", "image.exr: a scene file (.xml) is expected"},
+        {"image.pfm", "image.pfm: a scene (.xml) or an image (.exr) is expected"},
+        {"image.exr", "Cannot read the OpenEXR file \"image.exr\""},
         {"diffuse.xml", "diffuse.xml: holds a bsdf; a scene is expected"},
         {"huge.xml", "not enough memory for an image of 2000000 x 2000000"},
-        {"scenes", "scenes: a scene file (.xml) is expected"}};
+        {"scenes", "scenes: a scene (.xml) or an image (.exr) is expected"}};
     for (const auto &[file, message] : cases) {
         EXPECT_EQ(run({file}), 1) << file;
         EXPECT_NE(errors().find(message), std::string::npos) << errors();
@@ -325,6 +244,33 @@ TEST_F(Nori, ReportsScenesThatCannotBeRead) {
     }
     for (const std::string &name : files("."))
         EXPECT_EQ(name.find(".writing"), std::string::npos) << name;
+}
+
+TEST_F(Nori, PrintsTheNumbersOfImages) {
+    ASSERT_EQ(run({"scenes/small.xml", "--output", "a"}), 0);
+    ASSERT_EQ(run({"scenes/small.xml", "--output", "b", "--seed", "6"}), 0);
+    ASSERT_EQ(run({"scenes/small.xml", "--output", "c", "--size", "8x5"}), 0);
+    EXPECT_EQ(run({"a.exr"}), 0);
+    EXPECT_NE(output().find("a.exr: 40 x 36 pixels"), std::string::npos) << output();
+    EXPECT_NE(output().find("pixels: 0 NaN, 0 infinite, 0 negative"), std::string::npos);
+    EXPECT_EQ(run({"a.exr", "a.exr"}), 0);
+    EXPECT_NE(output().find("RMSE 0\n"), std::string::npos) << output();
+    EXPECT_EQ(run({"a.exr", "--reference", "b.exr", "-b"}), 0);
+    EXPECT_EQ(output().find("RMSE 0\n"), std::string::npos) << output();
+    EXPECT_EQ(run({"a.exr", "c.exr"}), 1);
+    EXPECT_NE(errors().find("c.exr: has 8 x 5 pixels"), std::string::npos) << errors();
+    EXPECT_EQ(run({"a.exr", "b.exr", "--reference", "b.exr"}), 2);
+}
+
+TEST_F(Nori, SaysThatThereCanBeNoWindowBeforeItRenders) {
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY"})
+        ::unsetenv(name);
+    for (const char *file : {"scenes/small.xml", "black.xml"}) {
+        EXPECT_EQ(run({file, "--window", "--output", "none"}), 2);
+        EXPECT_NE(errors().find("--screenshot FILE.png needs no display"), std::string::npos);
+    }
+    EXPECT_FALSE(fs::exists(path("none.exr")));
+    EXPECT_EQ(run({"scenes/small.xml", "--output", "none"}), 0) << errors(); // does without
 }
 
 TEST_F(Nori, ReportsBeforeRenderingWhereItCannotWrite) {

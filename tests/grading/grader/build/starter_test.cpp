@@ -98,6 +98,8 @@ TEST(Starter, HasOrMakesEveryHeaderOfItsProgram) {
     writeStarter(folder.path());
     const std::string lists = readTextFile(folder.path() / "CMakeLists.txt");
     for (const auto &entry : std::filesystem::directory_iterator(folder.path() / "app")) {
+        if (!entry.is_regular_file())
+            continue;
         for (const std::string &name : quotedIncludes(entry.path())) {
             const bool isMade = lists.find("configure_file(app/" + name + ".in") != lists.npos;
             EXPECT_TRUE(isMade || std::filesystem::exists(folder.path() / "app" / name))

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include <preview/show.h>
+
+namespace preview {
+
+bool canShow() {
+    return false;
+}
+
+void show(ViewModel &, const WindowOptions &) {
+    throw CannotShow("this nori was built without windows (NORI_GUI=OFF)");
+}
+
+} // namespace preview
