@@ -102,6 +102,7 @@ void drawHistory(const std::vector<ErrorPoint> &history, float scale) {
         return static_cast<float>(isSpread ? std::log(value / low) / std::log(high / low) : 0.5);
     };
     std::vector<ImVec2> line;
+    line.reserve(history.size());
     for (const ErrorPoint &point : history)
         line.emplace_back(corner.x + size.x * share(point.seconds, from, to),
                           end.y - size.y * share(point.rmse, bottom, top));
