@@ -58,6 +58,8 @@ probe::Values answer(const protocol::Request &request, probe::SceneStore &scenes
         return probe::answerRadiance(request, scenes.getPrepared(request.text));
     case Op::Image:
         return probe::answerImage(request, scenes.getPrepared(request.text));
+    case Op::Film:
+        return probe::answerFilm(request, scenes.getPrepared(request.text));
     case Op::SceneFacts:
         return probe::answerFacts(scenes.get(request.text));
     }

@@ -44,6 +44,7 @@ Values answerMesh(const protocol::Request &request, const nori::Scene &scene);
 Values answerEmitter(const protocol::Request &request, const nori::Scene &scene);
 Values answerRadiance(const protocol::Request &request, nori::Scene &scene);
 Values answerImage(const protocol::Request &request, nori::Scene &scene);
+Values answerFilm(const protocol::Request &request, nori::Scene &scene);
 Values answerFacts(const nori::Scene &scene);
 
 // Reading and writing rows of floats. Call append() by its full name: for an argument of a type of

@@ -63,6 +63,31 @@ const nori::Integrator *integratorOf(const nori::Scene &scene) {
     return integrator;
 }
 
+/// What a scene's camera and integrator make of a point of the image.
+class View {
+public:
+    explicit View(nori::Scene &scene)
+        : m_scene(scene), m_integrator(integratorOf(scene)), m_camera(scene.getCamera()) {
+        if (m_camera == nullptr)
+            throw std::runtime_error("the scene has no camera");
+    }
+
+    int width() const { return m_camera->getOutputSize().x(); }
+
+    /// \param point  in pixels
+    nori::Color3f radiance(const nori::Point2f &point, nori::Sampler &sampler) const {
+        const nori::Point2f aperture = sampler.next2D();
+        nori::Ray3f ray;
+        const nori::Color3f weight = m_camera->sampleRay(ray, point, aperture);
+        return weight * m_integrator->Li(&m_scene, &sampler, ray);
+    }
+
+private:
+    nori::Scene &m_scene;
+    const nori::Integrator *m_integrator;
+    const nori::Camera *m_camera;
+};
+
 } // namespace
 
 Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
@@ -84,11 +109,8 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
 }
 
 Values answerImage(const protocol::Request &request, nori::Scene &scene) {
-    const nori::Integrator *integrator = integratorOf(scene);
-    const nori::Camera *camera = scene.getCamera();
-    if (camera == nullptr)
-        throw std::runtime_error("the scene has no camera");
-    const int width = camera->getOutputSize().x();
+    const View view(scene);
+    const int width = view.width();
     RaySampler sampler;
     Values values;
     values.reserve(request.resultSize());
@@ -99,12 +121,25 @@ Values answerImage(const protocol::Request &request, nori::Scene &scene) {
         sampler.startRay(request.seed, static_cast<std::uint64_t>(pixel));
         for (std::uint32_t i = 0; i < request.repeats; ++i) {
             const nori::Point2f within = sampler.next2D();
-            const nori::Point2f aperture = sampler.next2D();
-            nori::Ray3f ray;
-            const nori::Color3f weight = camera->sampleRay(
-                ray, nori::Point2f(corner.x() + within.x(), corner.y() + within.y()), aperture);
-            probe::append(values, nori::Color3f(weight * integrator->Li(&scene, &sampler, ray)));
+            probe::append(values, view.radiance(nori::Point2f(corner.x() + within.x(),
+                                                              corner.y() + within.y()),
+                                                sampler));
         }
+    }
+    return values;
+}
+
+Values answerFilm(const protocol::Request &request, nori::Scene &scene) {
+    const View view(scene);
+    RaySampler sampler;
+    Values values;
+    values.reserve(request.resultSize());
+    for (std::size_t i = 0; i + 1 < request.values.size(); i += 2) {
+        sampler.startRay(request.seed, i / 2);
+        for (std::uint32_t k = 0; k < request.repeats; ++k)
+            probe::append(
+                values,
+                view.radiance(nori::Point2f(request.values[i], request.values[i + 1]), sampler));
     }
     return values;
 }

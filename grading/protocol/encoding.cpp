@@ -10,7 +10,7 @@ constexpr std::uint32_t kMagic = 0x6e6f7269; // "nori"
 constexpr std::uint32_t kVersion = 1;
 
 bool isKnown(Op op) {
-    return op >= Op::WarpSample && op <= Op::Image;
+    return op >= Op::WarpSample && op <= Op::Film;
 }
 
 constexpr std::size_t kSmallestFile = 8;     ///< two empty strings

@@ -29,6 +29,7 @@ constexpr std::uint32_t kPointSize = 3;
 constexpr std::uint32_t kEmitterSampleInput = 6;
 constexpr std::uint32_t kEmitterEvalInput = 11;
 constexpr std::uint32_t kRaySize = 6;
+constexpr std::uint32_t kFilmPointSize = 2;
 
 /// Rows of `values`, each of `width` floats.
 std::size_t rowsOf(const Request &request, std::uint32_t width) {
@@ -75,6 +76,8 @@ std::size_t Request::resultSize() const {
         return times(times(rowsOf(*this, kRaySize), repeats), 3);
     case Op::Image:
         return times(times(values.size(), repeats), 3);
+    case Op::Film:
+        return times(times(rowsOf(*this, kFilmPointSize), repeats), 3);
     case Op::SceneFacts:
         return kSceneFactsSize;
     }

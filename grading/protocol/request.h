@@ -47,6 +47,10 @@ enum class Op : std::uint32_t {
     /// repeats k; seed -> Integrator::Li [n, k, 3] through points uniform in each pixel (a box
     /// filter). The sampler is seeded anew for each pixel from (seed, the pixel).
     Image,
+    /// text: scene file; values: points [n, 2] of the scene's camera's image, in pixels from its
+    /// top left corner; repeats k; seed -> Integrator::Li [n, k, 3]. The sampler is seeded anew
+    /// for each point from (seed, its index).
+    Film,
 };
 
 constexpr std::uint32_t kPlanarDimension = 2;

@@ -54,9 +54,10 @@ public:
             expectation.items[item] = kept;
     }
 
-    void verdicts(const toml::node &node, Expectation &expectation) const {
-        for (const auto &[item, verdict] : m_file.table(node))
-            expectation.verdicts[std::string(item.str())] = text(verdict);
+    /// A table of `name = verdict`.
+    void verdicts(const toml::node &node, std::map<std::string, std::string> &to) const {
+        for (const auto &[name, verdict] : m_file.table(node))
+            to[std::string(name.str())] = text(verdict);
     }
 
 private:
@@ -98,7 +99,11 @@ const std::map<std::string, Setter> &setters() {
         {"zero", keptSetter(Kept::Zero)},
         {"verdicts",
          [](const Reader &reader, const toml::node &node, Expectation &to) {
-             reader.verdicts(node, to);
+             reader.verdicts(node, to.verdicts);
+         }},
+        {"figures",
+         [](const Reader &reader, const toml::node &node, Expectation &to) {
+             reader.verdicts(node, to.figures);
          }},
         {"diagnosis",
          [](const Reader &reader, const toml::node &node, Expectation &to) {

@@ -38,6 +38,8 @@ struct Expectation {
     Kept others = Kept::Any;                     ///< items that are not in `items`
     std::map<std::string, Kept> items;           ///< by item id
     std::map<std::string, std::string> verdicts; ///< by item id, as in results.json
+    /// By path: verdict, as in results.json; with `!` before it if it must be flagged.
+    std::map<std::string, std::string> figures;
     std::string diagnosis; ///< id that must come first at an item that loses points; may be empty
     bool hostile = false;  ///< graded alone; the machine is looked over afterwards
     std::vector<std::string> leftFiles; ///< names of files that it tries to leave behind

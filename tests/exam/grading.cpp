@@ -142,6 +142,11 @@ Graded parseResults(const std::string &json) {
         submission.at("times").at("total").get_to(graded.seconds);
         for (const nlohmann::json &item : submission.at("items"))
             graded.items.push_back(parseItem(item));
+        for (const nlohmann::json &figure : submission.at("figures"))
+            graded.figures.push_back({figure.at("path").get<std::string>(),
+                                      (figure.at("flag").get<bool>() ? "!" : "") +
+                                          figure.at("verdict").get<std::string>(),
+                                      figure.at("message").get<std::string>()});
         return graded;
     } catch (const nlohmann::json::exception &error) {
         throw ExamError(fmt::format("norigrade's JSON: {}", error.what()));
@@ -156,6 +161,16 @@ std::vector<std::string> compare(const Expectation &expectation, const Graded &g
                                      expectation.minTotal, expectation.maxTotal));
     for (const GradedItem &item : graded.items)
         compareItem(expectation, item, misses);
+    for (const auto &[path, wanted] : expectation.figures) {
+        const auto found = std::find_if(
+            graded.figures.begin(), graded.figures.end(),
+            [&, &name = path](const GradedFigure &figure) { return figure.path == name; });
+        if (found == graded.figures.end())
+            misses.push_back(fmt::format("there is no figure {}", path));
+        else if (found->verdict != wanted)
+            misses.push_back(fmt::format("{} is {}: {}; expected: {}", path, found->verdict,
+                                         found->message, wanted));
+    }
     for (const auto &[id, kept] : expectation.items) {
         const bool known =
             std::any_of(graded.items.begin(), graded.items.end(),

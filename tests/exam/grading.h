@@ -30,9 +30,16 @@ struct GradedItem {
     bool isFull() const;
 };
 
+struct GradedFigure {
+    std::string path;
+    std::string verdict; ///< with `!` before it if it is flagged
+    std::string message;
+};
+
 struct Graded {
     double total = 0;
     std::vector<GradedItem> items;
+    std::vector<GradedFigure> figures;
     double seconds = 0; ///< of wall clock
 };
 

@@ -106,6 +106,21 @@ inline grader::SubmissionResult sampleResult() {
     result.files = {{"src/warp.cpp", "source", "replaces the base's"},
                     {"README.txt", "readme", "read"},
                     {"src/main_old.cpp", "ignored", "a copy of main.cpp"}};
+    grader::FigureResult figure;
+    figure.path = "figures/cbox_ems_16.exr";
+    figure.verdict = grader::FigureVerdict::DifferentScene;
+    figure.flag = true;
+    figure.scene = "cbox_ems";
+    figure.samples = 16;
+    figure.error = -0.25;
+    figure.noise = 1.5;
+    figure.p = 1e-9;
+    figure.message = "It shows table_ems, not cbox_ems.";
+    grader::FigureResult missing;
+    missing.path = "serapis_ems_1.exr";
+    missing.verdict = grader::FigureVerdict::Missing;
+    missing.message = "The handout asks for it.";
+    result.figures = {figure, missing};
     result.timing.compile = 3.5;
     result.timing.total = 12;
     return result;
@@ -126,6 +141,11 @@ inline grader::SubmissionResult resultWith(const std::string &text) {
     }
     result.notes = {{grader::Note::Level::Human, text, text}};
     result.files = {{text, "source", text}, {text, "ignored", text}};
+    for (grader::FigureResult &figure : result.figures) {
+        figure.path = text;
+        figure.scene = text;
+        figure.message = text;
+    }
     return result;
 }
 

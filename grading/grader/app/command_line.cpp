@@ -74,6 +74,7 @@ Examples:
   norigrade converge cbox_ems.xml --integrator direct_ems,direct_mats,direct_mis
   norigrade converge serapis_ems.xml serapis_ems_power.xml --spp 1,4,16,64,256 --out power
   norigrade converge cbox_ems.xml --reference a.exr b.exr --json
+  norigrade converge cbox_ems.xml --against p2_123456_654321.zip --out student
 
 The images stay in the folder of --out: a second call renders only what is missing.
 Exit codes: 0 every slope is -1/2, 1 one is not, 3 cannot tell, 75 interrupted.)";
@@ -121,6 +122,10 @@ CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
                      "Only this rubric item; may be given several times (default: all)")
         ->type_name("ID")
         ->allow_extra_args(false);
+    verb->add_option("--scenes", command.scenes,
+                     "Folder of the scenes that were handed out, to compare figures with (default: "
+                     "norigrade's own, where a difference says little)")
+        ->type_name("DIR");
     verb->add_option("--out", command.out,
                      marked ? "Folder for results.json and the pages (default: a new one below "
                               "norigrade-results/)"
@@ -196,6 +201,10 @@ const CLI::App *addConverge(CLI::App &program, ConvergeCommand &command) {
                      "with 4 times the most samples)")
         ->expected(2)
         ->type_name("FILE");
+    verb->add_option("--against", command.against,
+                     "Zip or folder with a hand-in, whose code renders the scenes as well, in the "
+                     "sandbox and with each scene's own integrator")
+        ->type_name("SUBMISSION");
     verb->add_option("--out", command.out,
                      "Folder for images, table and plots (default: norigrade-convergence)")
         ->type_name("DIR");

@@ -13,6 +13,7 @@ struct GradeCommand {
     bool marked = true;
     std::vector<std::filesystem::path> paths;
     std::filesystem::path rubric;   ///< empty: the assignment's own
+    std::filesystem::path scenes;   ///< what figures show; empty: our own scenes
     std::filesystem::path out;      ///< empty: a new folder for `grade`, nothing for `check`
     std::string seed;               ///< 32 lower-case hexadecimal digits; empty: a fresh one
     std::vector<std::string> items; ///< rubric item ids; empty: all
@@ -57,6 +58,7 @@ struct ConvergeCommand {
     int replicates = 8;
     int width = 160;
     std::vector<std::filesystem::path> references; ///< none, or two independent halves
+    std::filesystem::path against;                 ///< hand-in to measure beside ours; empty: none
     std::filesystem::path out = "norigrade-convergence";
     std::string seed = "1"; ///< the same one, so that a second call goes on
     bool json = false;

@@ -5,6 +5,7 @@
 #include <grader/app/provenance.h>
 #include <grader/app/terminal.h>
 #include <grader/app/verbs.h>
+#include <grader/build/base.h>
 #include <grader/engine/engine.h>
 #include <grader/error.h>
 
@@ -39,14 +40,22 @@ std::string pathMistake(const GradeCommand &command) {
     return {};
 }
 
-/// \param asked  the items of the rubric that are asked for
-ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric, const Rubric &asked) {
+FigureScenes scenesOf(const GradeCommand &command) {
+    if (!command.scenes.empty())
+        return {command.scenes, true};
+    return {projectFolder() / "scenes" / "assignment-2", false};
+}
+
+/// \param asked  the items of the rubric that are asked for; figures are compared with all of them
+ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric, const Rubric &asked,
+                   const FigureScenes &scenes) {
     const std::atomic<bool> &interrupted = catchInterrupts();
     const Sandbox sandbox;
     Engine engine(sandbox, {.seedHex = command.seed,
                             .jobs = command.jobs,
                             .rubric = &rubric,
                             .asked = &asked,
+                            .scenes = command.items.empty() ? &scenes : nullptr,
                             .interrupted = &interrupted});
     const Provenance provenance = provenanceOf(rubric);
     const GradeRun run{command, asked, provenance, interrupted, sandboxLevelName(sandbox.level())};
@@ -62,9 +71,11 @@ ExitCode run(const GradeCommand &command) {
         return run(UsageMistake{mistake});
     Rubric rubric;
     Rubric asked;
+    FigureScenes scenes;
     try {
         rubric = loadRubric(command.rubric);
         asked = withItems(rubric, command.items);
+        scenes = scenesOf(command);
     } catch (const GraderError &error) {
         return run(UsageMistake{error.what()});
     }
@@ -74,7 +85,7 @@ ExitCode run(const GradeCommand &command) {
     if (decided.out.empty() && decided.marked)
         decided.out = newResultsFolder();
     try {
-        return gradeWith(decided, rubric, asked);
+        return gradeWith(decided, rubric, asked, scenes);
     } catch (const SandboxTooWeak &error) {
         complain(error.what());
         return ExitCode::SandboxTooLow;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cache.h"
 
+#include <grader/digest.h>
 #include <grader/error.h>
 #include <grader/text_file.h>
 
@@ -63,6 +64,19 @@ Cache::Cache(std::filesystem::path root) : m_root(std::move(root)) {
 std::filesystem::path Cache::entry(const std::string &kind, const std::string &digest,
                                    const std::string &suffix) const {
     return m_root / kind / digest.substr(0, 2) / (digest.substr(2) + suffix);
+}
+
+std::filesystem::path Cache::install(const std::filesystem::path &program) const {
+    const std::string bytes = readTextFile(program);
+    std::filesystem::path file = entry("executables", sha256Hex(bytes));
+    if (!std::filesystem::exists(file)) {
+        writeTextFile(file, bytes);
+        using std::filesystem::perms;
+        std::filesystem::permissions(file,
+                                     perms::owner_exec | perms::group_exec | perms::others_exec,
+                                     std::filesystem::perm_options::add);
+    }
+    return file;
 }
 
 std::filesystem::path Cache::makeScratch() const {

@@ -21,6 +21,10 @@ public:
     std::filesystem::path entry(const std::string &kind, const std::string &digest,
                                 const std::string &suffix = "") const;
 
+    /// A copy of one of our own programs, where boxes can reach it.
+    /// \throws GraderError  if it cannot be read or written
+    std::filesystem::path install(const std::filesystem::path &program) const;
+
     /// A new empty folder that a boxed process may write to. The caller removes it.
     std::filesystem::path makeScratch() const;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine.h"
 
-#include <grader/digest.h>
 #include <grader/engine/check_runner.h>
+#include <grader/engine/groups.h>
 #include <grader/error.h>
+#include <grader/figures/figure_check.h>
 #include <grader/scoring/scoring.h>
-#include <grader/text_file.h>
 
 #include <fmt/core.h>
 
@@ -17,25 +17,20 @@ namespace grader {
 
 namespace {
 
-/// Share of the progress that building takes; the rest is checks.
+/// Shares of the progress: building, checks, and the rest is figures.
 constexpr double kBuildShare = 0.3;
+constexpr double kCheckShare = 0.6;
+
+/// Three renders of the parts of one figure.
+constexpr BoxLimits kFigureLimits = {.cpu = std::chrono::seconds(30),
+                                     .wall = std::chrono::seconds(120),
+                                     .memoryBytes = std::uint64_t{3} << 30,
+                                     .fileBytes = std::uint64_t{64} << 20,
+                                     .logBytes = std::uint64_t{1} << 20,
+                                     .processes = 32};
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// A copy in the cache, where boxes can reach it.
-std::filesystem::path installReferenceProbe(const Cache &cache) {
-    const std::string bytes = readTextFile(NORI_REFERENCE_PROBE);
-    const std::filesystem::path file = cache.entry("executables", sha256Hex(bytes));
-    if (!std::filesystem::exists(file)) {
-        writeTextFile(file, bytes);
-        using std::filesystem::perms;
-        std::filesystem::permissions(file,
-                                     perms::owner_exec | perms::group_exec | perms::others_exec,
-                                     std::filesystem::perm_options::add);
-    }
-    return file;
 }
 
 /// The checks that the rubric asks for, of one group, in the table's order.
@@ -67,7 +62,7 @@ Engine::Engine(const Sandbox &sandbox, const EngineOptions &options)
             fmt::format("this machine gives sandbox level {}, the rubric asks for {}:{}",
                         sandboxLevelName(sandbox.level()), sandboxLevelName(needed), findings));
     }
-    m_referenceProbe = installReferenceProbe(m_cache);
+    m_referenceProbe = m_cache.install(NORI_REFERENCE_PROBE);
 }
 
 std::vector<CheckResult> Engine::runChecks(VariantBuilder &builder, const Submission &submission,
@@ -96,7 +91,7 @@ std::vector<CheckResult> Engine::runChecks(VariantBuilder &builder, const Submis
                 continue;
             const std::vector<CheckResult> results =
                 runner.runGroup(group, checksOf(rubric, group.id), [&] {
-                    progress("checking " + group.id, kBuildShare + (1 - kBuildShare) *
+                    progress("checking " + group.id, kBuildShare + kCheckShare *
                                                                        static_cast<double>(++done) /
                                                                        static_cast<double>(count));
                 });
@@ -141,14 +136,57 @@ SubmissionResult Engine::grade(const Submission &submission, const ProgressCallb
     for (const Note &note : builder.notes())
         result.notes.push_back(note);
 
+    const double beforeFigures = secondsSince(start);
+    if (m_options.scenes != nullptr)
+        compareFigures(submission, builder, progress, result);
+    result.timing.figures = secondsSince(start) - beforeFigures;
+
     result.timing.compile = compiler.compileSeconds();
     result.timing.link = compiler.linkSeconds();
     result.timing.sample = sampleSeconds;
     result.timing.total = secondsSince(start);
     // Boxes run side by side, so their sum may be longer than the clock's time.
     result.timing.judge =
-        std::max(0.0, result.timing.total - beforeChecks - sampleSeconds / m_options.jobs);
+        std::max(0.0, beforeFigures - beforeChecks - sampleSeconds / m_options.jobs);
     return result;
+}
+
+void Engine::compareFigures(const Submission &submission, VariantBuilder &builder,
+                            const ProgressCallback &progress, SubmissionResult &result) const {
+    const Variant own = builder.build(studentPlan(findGroup("direct_ems")));
+    const auto stopIfInterrupted = [this] {
+        if (m_options.interrupted != nullptr && *m_options.interrupted)
+            throw Interrupted();
+    };
+    FigureCheck check{
+        *m_options.scenes, m_options.seedHex + "|figures", {}, {}, m_options.jobs, {}};
+    check.decode = [this](std::string_view bytes) {
+        return decodeImage(m_sandbox, bytes);
+    };
+    check.ask = [&](const protocol::RequestGroup &group) {
+        stopIfInterrupted();
+        if (own.executable)
+            return askProbe(m_sandbox, *own.executable, group, kFigureLimits);
+        ProbeAnswer none; // says the same as a program that does not know the scene's parts
+        protocol::Response response;
+        response.state = protocol::State::Threw;
+        response.message =
+            own.failures.empty() ? "it was not built" : own.failures.back().describe();
+        none.responses.assign(group.requests.size(), response);
+        return none;
+    };
+    check.progress = [&](double fraction) {
+        stopIfInterrupted();
+        progress("comparing figures",
+                 kBuildShare + kCheckShare + (1 - kBuildShare - kCheckShare) * fraction);
+    };
+    try {
+        result.figures = checkFigures(submission, check);
+    } catch (const GraderError &error) { // the marks do not depend on them
+        result.notes.push_back(
+            {Note::Level::Odd, "",
+             fmt::format("The figures could not be compared: {}", error.what())});
+    }
 }
 
 } // namespace grader

@@ -4,6 +4,7 @@
 #include <grader/build/variant_builder.h>
 #include <grader/checks/check.h>
 #include <grader/error.h>
+#include <grader/figures/figure_scenes.h>
 #include <grader/results/results.h>
 #include <grader/rubric/rubric.h>
 #include <grader/submission/submission.h>
@@ -22,6 +23,7 @@ struct EngineOptions {
     int jobs = 2;                   ///< boxes that run at the same time
     const Rubric *rubric = nullptr; ///< with its checks resolved
     const Rubric *asked = nullptr;  ///< the part of it that is graded: see withItems()
+    const FigureScenes *scenes = nullptr; ///< what figures show; null: figures are not compared
     const std::atomic<bool> *interrupted = nullptr; ///< polled between checks; may be null
 };
 
@@ -54,6 +56,8 @@ private:
     /// stand on: that may be at fault.
     std::vector<CheckResult> runChecks(VariantBuilder &builder, const Submission &submission,
                                        const ProgressCallback &progress, double &sampleSeconds);
+    void compareFigures(const Submission &submission, VariantBuilder &builder,
+                        const ProgressCallback &progress, SubmissionResult &result) const;
 
     const Sandbox &m_sandbox;
     EngineOptions m_options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "read_image.h"
 
+#include <grader/build/cache.h>
 #include <grader/error.h>
 #include <grader/sandbox/memory_file.h>
 #include <grader/text_file.h>
@@ -16,6 +17,7 @@ namespace grader {
 
 namespace {
 
+namespace fs = std::filesystem;
 using protocol::ImageAnswer;
 
 constexpr char kDecoderInside[] = "/decoder";
@@ -41,9 +43,10 @@ ImageReading readAnswer(const Descriptor &out, const std::string &fate) {
 }
 
 std::string runBoxed(const Sandbox &sandbox, const Descriptor &in, const Descriptor &out) {
+    static const fs::path decoder = Cache().install(NORI_DECODER);
     BoxSpec spec;
     spec.argv = {kDecoderInside};
-    spec.binds = {{NORI_DECODER, kDecoderInside, false}};
+    spec.binds = {{decoder, kDecoderInside, false}};
     spec.limits.fileBytes = kAnswerBytes;
     spec.descriptors = {in.get(), out.get()};
     const BoxOutcome outcome = sandbox.run(spec);

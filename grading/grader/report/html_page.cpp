@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "html.h"
@@ -121,6 +122,40 @@ std::string noteList(const SubmissionResult &result) {
     return html + "</ul>\n";
 }
 
+Look lookOf(const FigureResult &figure) {
+    if (figure.flag)
+        return {"look", "▲"};
+    return figure.verdict == FigureVerdict::Match ? Look{"pass", "✔"} : Look{"none", "○"};
+}
+
+std::string figureTable(const SubmissionResult &result) {
+    if (result.figures.empty())
+        return {};
+    std::string html =
+        "<h2>Figures</h2>\n<p>Compared with what the hand-in's own code renders. This costs no "
+        "points; ▲ is for staff to look at.</p>\n<div class=\"scroll\"><table>\n<thead><tr>"
+        "<th scope=\"col\">Figure</th><th scope=\"col\">Verdict</th>"
+        "<th scope=\"col\" class=\"number\">Mean off</th>"
+        "<th scope=\"col\" class=\"number\">Noise ratio</th>"
+        "<th scope=\"col\" class=\"number\">p</th>"
+        "<th scope=\"col\">What was found</th></tr></thead>\n<tbody>\n";
+    for (const FigureResult &figure : result.figures) {
+        const Look look = lookOf(figure);
+        std::string verdict = figureVerdictName(figure.verdict);
+        std::replace(verdict.begin(), verdict.end(), '_', ' ');
+        html += fmt::format(R"(<tr><th scope="row">{}</th><td class="verdict {}">{} {}</td>)",
+                            isolated(figure.path), look.style, look.sign, verdict);
+        html +=
+            fmt::format("<td class=\"number\">{}</td>",
+                        std::isfinite(figure.error) ? fmt::format("{:+.2g} %", 100 * figure.error)
+                                                    : std::string("–"));
+        for (const double value : {figure.noise, figure.p})
+            html += fmt::format("<td class=\"number\">{}</td>", number(value));
+        html += fmt::format("<td>{}</td></tr>\n", isolated(figure.message));
+    }
+    return html + "</tbody>\n</table></div>\n";
+}
+
 std::string fileTable(const SubmissionResult &result) {
     if (result.files.empty())
         return {};
@@ -146,8 +181,10 @@ std::string provenanceList(const SubmissionResult &result, const Provenance &fro
     entry("Sandbox", result.sandbox);
     entry("Seed", result.seed);
     const Timing &time = result.timing;
-    entry("Time", fmt::format("{:.1f} s (compile {:.1f}, link {:.1f}, run {:.1f}, judge {:.1f})",
-                              time.total, time.compile, time.link, time.sample, time.judge));
+    entry("Time",
+          fmt::format("{:.1f} s (compile {:.1f}, link {:.1f}, run {:.1f}, judge {:.1f}, "
+                      "figures {:.1f})",
+                      time.total, time.compile, time.link, time.sample, time.judge, time.figures));
     return html + "</dl>\n";
 }
 
@@ -171,8 +208,8 @@ std::string htmlPage(const SubmissionResult &result, const Provenance &provenanc
         html += "<p>Not final: a part could not be tested, through no fault of the hand-in.</p>\n";
     if (needsHuman(result))
         html += "<p>Not final: someone has to look.</p>\n";
-    html += itemTable(result) + checkTables(result) + noteList(result) + fileTable(result) +
-            provenanceList(result, provenance);
+    html += itemTable(result) + checkTables(result) + noteList(result) + figureTable(result) +
+            fileTable(result) + provenanceList(result, provenance);
     return html + "</main>\n</body>\n</html>\n";
 }
 

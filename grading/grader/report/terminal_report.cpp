@@ -180,6 +180,40 @@ void writeNames(const std::string &label, const std::vector<std::string> &names,
     writeLabelled(label, list, style, text);
 }
 
+/// `3 match, 1 different_scene`, and what staff should look at, a line each.
+void writeFigures(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
+    std::vector<std::pair<FigureVerdict, int>> counts; // in the order in which they occur
+    std::vector<const FigureResult *> flagged;
+    for (const FigureResult &figure : result.figures) {
+        const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto &count) {
+            return count.first == figure.verdict;
+        });
+        if (found == counts.end())
+            counts.emplace_back(figure.verdict, 1);
+        else
+            ++found->second;
+        if (figure.flag)
+            flagged.push_back(&figure);
+    }
+    if (counts.empty())
+        return;
+    std::vector<std::string> parts;
+    parts.reserve(counts.size());
+    for (const auto &[verdict, count] : counts)
+        parts.push_back(fmt::format("{} {}", count, figureVerdictName(verdict)));
+    text += "\n";
+    writeLabelled("figures:", fmt::format("{}", fmt::join(parts, ", ")), style, text);
+    const std::size_t count = std::min(flagged.size(), kMostNotes);
+    for (std::size_t i = 0; i < count; ++i)
+        writeLabelled("figure:", fmt::format("{}: {}", flagged[i]->path, flagged[i]->message),
+                      style, text);
+    if (flagged.size() > count)
+        writeLabelled("figure:",
+                      fmt::format("and {} more; all are in the page and in results.json",
+                                  flagged.size() - count),
+                      style, text);
+}
+
 void writeFiles(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
     const std::string folder = commonFolder(result.files);
     std::vector<std::string> used;
@@ -227,6 +261,7 @@ std::string terminalReport(const SubmissionResult &result, const TerminalStyle &
         text += ", not final: someone has to look";
     text += "\n";
     writeNotes(result, style, text);
+    writeFigures(result, style, text);
     writeFiles(result, style, text);
     return text;
 }

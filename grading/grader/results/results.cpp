@@ -53,6 +53,30 @@ const char *levelName(Note::Level level) {
     return "human";
 }
 
+const char *figureVerdictName(FigureVerdict verdict) {
+    switch (verdict) {
+    case FigureVerdict::Match:
+        return "match";
+    case FigureVerdict::DifferentNoise:
+        return "different_noise";
+    case FigureVerdict::DifferentValues:
+        return "different_values";
+    case FigureVerdict::DifferentScene:
+        return "different_scene";
+    case FigureVerdict::Clamped:
+        return "clamped";
+    case FigureVerdict::CannotTell:
+        return "cannot_tell";
+    case FigureVerdict::Missing:
+        return "missing";
+    case FigureVerdict::Unreadable:
+        return "unreadable";
+    case FigureVerdict::NotCompared:
+        break;
+    }
+    return "not_compared";
+}
+
 namespace {
 
 bool anyVerdict(const SubmissionResult &result, Verdict verdict) {

@@ -82,9 +82,39 @@ struct FileUse {
     std::string reason; ///< why
 };
 
+/// What a figure of a hand-in turned out to be, compared with what its own code renders.
+enum class FigureVerdict {
+    Match,
+    DifferentNoise,  ///< the same picture with more or less noise than its samples make
+    DifferentValues, ///< the same picture in other brightnesses, or with differences in parts
+    DifferentScene,
+    Clamped,     ///< bright parts are cut off, where an EXR file holds them
+    CannotTell,  ///< compared without a result, or not comparable; `message` says why
+    NotCompared, ///< of no scene: a picture of a warp's test, an extra
+    Missing,     ///< asked for by the handout, and not there
+    Unreadable,
+};
+
+/// `match`, `different_noise`, ... as in results.json.
+const char *figureVerdictName(FigureVerdict verdict);
+
+/// Evidence for people about one figure; it never costs a point.
+struct FigureResult {
+    std::string path; ///< as in the hand-in; of a missing one, its name in the handout
+    FigureVerdict verdict = FigureVerdict::NotCompared;
+    bool flag = false;        ///< staff should look at it
+    std::string scene;        ///< that it was compared with, `cbox_ems`; may be empty
+    int samples = 0;          ///< per pixel, as it says; 0: it does not
+    double error = kNoNumber; ///< relative deviation of its mean
+    double mde = kNoNumber;   ///< of all its parts, that would be found
+    double noise = kNoNumber; ///< variance of its pixels over that of the code's renders
+    double p = kNoNumber;     ///< the smallest one, of the tests together
+    std::string message;      ///< what was found, and how sure that is
+};
+
 /// Seconds of wall clock, by phase.
 struct Timing {
-    double ingest = 0, compile = 0, link = 0, sample = 0, judge = 0, total = 0;
+    double ingest = 0, compile = 0, link = 0, sample = 0, judge = 0, figures = 0, total = 0;
 };
 
 struct SubmissionResult {
@@ -98,6 +128,7 @@ struct SubmissionResult {
     std::vector<ItemResult> items;
     std::vector<Note> notes;
     std::vector<FileUse> files;
+    std::vector<FigureResult> figures; ///< in the order of their paths, missing ones last
     Timing timing;
 };
 

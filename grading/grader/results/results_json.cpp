@@ -56,10 +56,24 @@ Json itemJson(const ItemResult &item, bool marked) {
             {"checks", std::move(checks)}};
 }
 
+Json figureJson(const FigureResult &figure) {
+    return {{"path", figure.path},
+            {"verdict", figureVerdictName(figure.verdict)},
+            {"flag", figure.flag},
+            {"scene", figure.scene},
+            {"spp", figure.samples > 0 ? Json(figure.samples) : Json(nullptr)},
+            {"error", number(figure.error)},
+            {"mde", number(figure.mde)},
+            {"noise", number(figure.noise)},
+            {"p", number(figure.p)},
+            {"message", figure.message}};
+}
+
 Json timesJson(const Timing &timing) {
     return {{"ingest", number(timing.ingest)}, {"compile", number(timing.compile)},
             {"link", number(timing.link)},     {"sample", number(timing.sample)},
-            {"judge", number(timing.judge)},   {"total", number(timing.total)}};
+            {"judge", number(timing.judge)},   {"figures", number(timing.figures)},
+            {"total", number(timing.total)}};
 }
 
 Json submissionJson(const SubmissionResult &result) {
@@ -73,6 +87,9 @@ Json submissionJson(const SubmissionResult &result) {
     Json files = Json::array();
     for (const FileUse &file : result.files)
         files.push_back({{"path", file.path}, {"use", file.use}, {"reason", file.reason}});
+    Json figures = Json::array();
+    for (const FigureResult &figure : result.figures)
+        figures.push_back(figureJson(figure));
     return {{"name", result.name},
             {"members", result.members},
             {"total", number(result.marked ? result.total : kNoNumber)},
@@ -83,6 +100,7 @@ Json submissionJson(const SubmissionResult &result) {
             {"items", std::move(items)},
             {"notes", std::move(notes)},
             {"files", std::move(files)},
+            {"figures", std::move(figures)},
             {"times", timesJson(result.timing)}};
 }
 

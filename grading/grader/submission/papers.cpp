@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <grader/submission/figure_name.h>
 #include <grader/submission/members.h>
 #include <grader/submission/names.h>
 #include <grader/submission/papers.h>
@@ -40,35 +41,18 @@ bool contains(std::string_view text, std::string_view part) {
 }
 
 bool matches(const AskedFigure &asked, const std::string &stem) {
-    const std::string wanted = lowerAscii(asked.stem);
-    if (!asked.anySamples) {
-        return stem == wanted;
-    }
-    return stem.size() > wanted.size() + 1 && stem.substr(0, wanted.size() + 1) == wanted + "_" &&
-           stem.find_first_not_of("0123456789", wanted.size() + 1) == std::string::npos;
+    const FigureName wanted = parseFigureName(asked.stem);
+    const FigureName name = parseFigureName(stem);
+    return name.scene == wanted.scene &&
+           (asked.anySamples ? name.samples > 0 : name.samples == wanted.samples);
 }
 
 bool isThere(const Submission &submission, const AskedFigure &asked, std::string_view extension) {
-    return std::any_of(
-        submission.files.begin(), submission.files.end(), [&](const SubmittedFile &file) {
-            const PathParts parts = splitPath(file.path);
-            return parts.extension == extension && matches(asked, lowerAscii(parts.stem));
-        });
-}
-
-std::vector<std::string> missingFigures(const Submission &submission) {
-    std::vector<std::string> missing;
-    for (const AskedFigure &asked : kAskedFigures) {
-        const std::string name =
-            fmt::format("{}{}", asked.stem, asked.anySamples ? "_<samples>" : "");
-        if (asked.exrToo && !isThere(submission, asked, ".exr")) {
-            missing.push_back(name + ".exr");
-        }
-        if (!isThere(submission, asked, ".png")) {
-            missing.push_back(name + ".png");
-        }
-    }
-    return missing;
+    return std::any_of(submission.files.begin(), submission.files.end(),
+                       [&](const SubmittedFile &file) {
+                           const PathParts parts = splitPath(file.path);
+                           return parts.extension == extension && matches(asked, parts.stem);
+                       });
 }
 
 /// Web links of a text that lead to a shared folder.
@@ -127,6 +111,21 @@ bool isFigureName(std::string_view name) {
         ".png", ".exr", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".gif", ".hdr"};
     const std::string extension = splitPath(name).extension;
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::vector<std::string> missingFigures(const Submission &submission) {
+    std::vector<std::string> missing;
+    for (const AskedFigure &asked : kAskedFigures) {
+        const std::string name =
+            fmt::format("{}{}", asked.stem, asked.anySamples ? "_<samples>" : "");
+        if (asked.exrToo && !isThere(submission, asked, ".exr")) {
+            missing.push_back(name + ".exr");
+        }
+        if (!isThere(submission, asked, ".png")) {
+            missing.push_back(name + ".png");
+        }
+    }
+    return missing;
 }
 
 std::string readmeText(std::string_view bytes) {

@@ -135,7 +135,7 @@ TEST(Encoding, RefusesAnotherMagicOrVersion) {
 TEST(Encoding, RefusesAnUnknownOp) {
     RequestGroup group;
     group.requests.resize(1);
-    const std::uint32_t last = static_cast<std::uint32_t>(Op::Image);
+    const std::uint32_t last = static_cast<std::uint32_t>(Op::Film);
     for (const std::uint32_t op : {0U, last + 1, 0xffffffffU}) {
         group.requests[0].op = static_cast<Op>(op);
         EXPECT_FALSE(accepts(encode(group))) << op;

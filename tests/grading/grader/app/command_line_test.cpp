@@ -153,6 +153,8 @@ TEST(CommandLine, ReadsConvergeWithLists) {
     EXPECT_EQ(command.out, "o");
     EXPECT_EQ(command.seed, "2a");
     EXPECT_EQ(converge({"converge", "a.xml"}).samples, (std::vector<int>{1, 4, 16, 64}));
+    EXPECT_EQ(converge({"converge", "a.xml", "--against", "p2_1.zip"}).against, "p2_1.zip");
+    EXPECT_TRUE(converge({"converge", "a.xml"}).against.empty());
     EXPECT_NE(mistake({"converge"}), "no mistake");
     EXPECT_NE(mistake({"converge", "a.xml", "--reference", "a.exr"}), "no mistake");
     EXPECT_NE(mistake({"converge", "a.xml", "--replicates", "1"}), "no mistake");
