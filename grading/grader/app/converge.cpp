@@ -3,6 +3,7 @@
 #include <grader/app/terminal.h>
 #include <grader/app/verbs.h>
 #include <grader/converge/convergence_report.h>
+#include <grader/converge/hand_in_renderer.h>
 #include <grader/error.h>
 #include <grader/images/read_image.h>
 #include <grader/text_file.h>
@@ -13,7 +14,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
+#include <thread>
 
 namespace grader {
 
@@ -81,22 +84,39 @@ private:
     double m_first = 0.0;
 };
 
-ExitCode converge(const ConvergeCommand &command, const ConvergencePlan &plan) {
-    const std::atomic<bool> &interrupted = catchInterrupts();
+ExitCode converge(const ConvergeCommand &command, ConvergencePlan plan) {
     const Sandbox sandbox;
+    const std::atomic<bool> &interrupted = catchInterrupts();
+    std::optional<HandInRenderer> handIn;
+    if (!command.against.empty()) {
+        fmt::print(stderr, "building {}\n", command.against.string());
+        const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        try {
+            handIn.emplace(sandbox, command.against, cores);
+        } catch (const GraderError &error) {
+            complain(error.what());
+            return ExitCode::Usage;
+        }
+        plan.against = ComparedHandIn{handIn->name(), handIn->digest()};
+    }
     const std::vector<ReferenceImage> images = imagesOf(plan);
     const fs::path &out = command.out;
     Pace pace(images);
     const ReferenceRun run = renderReferences(
-        "/", out, images, [&](const RenderJob &job) { return runRenderer(job, interrupted); },
+        "/", out, images,
+        [&](const RenderJob &job) {
+            return job.output.extension() == kPlanesExtension ? handIn->render(job, interrupted)
+                                                              : runRenderer(job, interrupted);
+        },
         [&](const ReferenceImage &image, int number, int) { pace.announce(image, number); });
     if (run.interrupted) {
         complain(fmt::format("interrupted: {} images are in {}; call again to go on",
                              run.rendered + run.kept, out.string()));
         return ExitCode::Interrupted;
     }
-    const std::vector<Convergence> all =
-        evaluate(plan, out, [&](const fs::path &file) { return readImage(sandbox, file); });
+    const std::vector<Convergence> all = evaluate(plan, out, [&](const fs::path &file) {
+        return file.extension() == kPlanesExtension ? readPlanes(file) : readImage(sandbox, file);
+    });
     const std::string json = convergenceJson(plan, all);
     writeTextFile(out / "convergence.json", json);
     plot::writePlot(convergencePlot(all), out / "convergence");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convergence_study.h"
 
+#include <grader/converge/hand_in_renderer.h>
 #include <grader/error.h>
 #include <grader/images/comparison.h>
 
@@ -19,13 +20,31 @@ using protocol::Image;
 using statistics::MomentSummary;
 
 constexpr int kReferenceFactor = 4;
+const std::string kHandIn = "hand-in ";
 constexpr std::size_t kChannels = 3;
 constexpr double kLevel = 1e-4; ///< of a slope's interval
 /// Renders of one image differ by their noise, with a ratio of 1; those of two scenes by far more.
 constexpr double kOtherImage = 4.0;
 
-std::vector<std::string> integratorsOf(const ConvergencePlan &plan, const SceneFile &scene) {
-    return plan.integrators.empty() ? std::vector<std::string>{scene.integrator} : plan.integrators;
+/// What renders the replicates of one curve.
+struct Estimator {
+    std::string name; ///< for labels
+    std::string key;  ///< tells its images from others' in the manifest
+    std::string file; ///< in the names of its images
+    std::string extension = ".exr";
+};
+
+std::vector<Estimator> estimatorsOf(const ConvergencePlan &plan, const SceneFile &scene) {
+    std::vector<Estimator> estimators;
+    const auto names =
+        plan.integrators.empty() ? std::vector<std::string>{scene.integrator} : plan.integrators;
+    estimators.reserve(names.size() + 1);
+    for (const std::string &name : names)
+        estimators.push_back({name, name, name});
+    if (plan.against)
+        estimators.push_back(
+            {plan.against->name, kHandIn + plan.against->digest, "handed_in", kPlanesExtension});
+    return estimators;
 }
 
 std::string stemOf(const SceneFile &scene) {
@@ -36,9 +55,10 @@ std::string referenceName(const SceneFile &scene, char half) {
     return fmt::format("{}/reference_{}.exr", stemOf(scene), half);
 }
 
-std::string replicateName(const SceneFile &scene, const std::string &integrator, int samples,
+std::string replicateName(const SceneFile &scene, const Estimator &estimator, int samples,
                           int replicate) {
-    return fmt::format("{}/{}_{}_{}.exr", stemOf(scene), integrator, samples, replicate);
+    return fmt::format("{}/{}_{}_{}{}", stemOf(scene), estimator.file, samples, replicate,
+                       estimator.extension);
 }
 
 ReferenceImage imageOf(const ConvergencePlan &plan, const SceneFile &scene,
@@ -84,8 +104,8 @@ public:
         std::vector<Convergence> all;
         for (const SceneFile &scene : m_plan.scenes) {
             const auto halves = loadHalves(scene);
-            for (const std::string &integrator : integratorsOf(m_plan, scene))
-                all.push_back(evaluateOne(scene, integrator, halves));
+            for (const Estimator &estimator : estimatorsOf(m_plan, scene))
+                all.push_back(evaluateOne(scene, estimator, halves));
         }
         return all;
     }
@@ -104,12 +124,12 @@ private:
         return halves;
     }
 
-    Convergence evaluateOne(const SceneFile &scene, const std::string &integrator,
+    Convergence evaluateOne(const SceneFile &scene, const Estimator &estimator,
                             const Halves &halves) {
         Convergence result;
         result.scene = scene.name;
-        result.integrator = integrator;
-        result.label = fmt::format("{} {}", stemOf(scene), integrator);
+        result.integrator = estimator.name;
+        result.label = fmt::format("{} {}", stemOf(scene), estimator.name);
         std::vector<statistics::ErrorsAt> errors;
         std::vector<std::vector<MomentSummary>> last; ///< replicates with the most samples
         double cpuSeconds = 0.0;
@@ -119,7 +139,7 @@ private:
                 statistics::ErrorsAt at{static_cast<double>(samples), {}};
                 last.clear();
                 for (int k = 0; k < m_plan.replicates; ++k) {
-                    const fs::path file = m_folder / replicateName(scene, integrator, samples, k);
+                    const fs::path file = m_folder / replicateName(scene, estimator, samples, k);
                     const Image image = m_load(file);
                     last.push_back(interleaved(image, file.string()));
                     at.errors.push_back(
@@ -173,18 +193,18 @@ private:
 std::vector<ReferenceImage> imagesOf(const ConvergencePlan &plan) {
     std::vector<ReferenceImage> images;
     for (const SceneFile &scene : plan.scenes) {
-        const std::vector<std::string> integrators = integratorsOf(plan, scene);
+        const std::vector<Estimator> estimators = estimatorsOf(plan, scene);
         if (plan.references.empty()) {
             for (const char half : {'a', 'b'})
-                images.push_back(imageOf(plan, scene, integrators.front(),
+                images.push_back(imageOf(plan, scene, estimators.front().key,
                                          kReferenceFactor * plan.samples.back(),
                                          referenceName(scene, half)));
         }
-        for (const std::string &integrator : integrators) {
+        for (const Estimator &estimator : estimators) {
             for (const int samples : plan.samples) {
                 for (int k = 0; k < plan.replicates; ++k)
-                    images.push_back(imageOf(plan, scene, integrator, samples,
-                                             replicateName(scene, integrator, samples, k)));
+                    images.push_back(imageOf(plan, scene, estimator.key, samples,
+                                             replicateName(scene, estimator, samples, k)));
             }
         }
     }

@@ -13,6 +13,12 @@
 
 namespace grader {
 
+/// Somebody's code beside ours.
+struct ComparedHandIn {
+    std::string name; ///< for labels
+    std::string digest;
+};
+
 /// What is to be measured: every integrator on every scene.
 struct ConvergencePlan {
     std::vector<SceneFile> scenes;        ///< names are paths
@@ -23,17 +29,20 @@ struct ConvergencePlan {
     std::string seed;
     /// Two independent halves of the one scene's reference; empty: rendered here.
     std::vector<std::filesystem::path> references;
+    /// Renders every scene as well, with the scene's own integrator.
+    std::optional<ComparedHandIn> against;
 };
 
 /// The images that a plan needs, in the order in which they are rendered: two reference halves per
-/// scene, of 4 times the most samples, then the replicates.
+/// scene, of 4 times the most samples, then the replicates. Those of a hand-in end in
+/// kPlanesExtension.
 std::vector<ReferenceImage> imagesOf(const ConvergencePlan &plan);
 
 /// One integrator on one scene.
 struct Convergence {
     std::string label; ///< `cbox_ems direct_ems`
     std::string scene;
-    std::string integrator;
+    std::string integrator; ///< or the hand-in's name
     statistics::ConvergenceFit fit;
     /// Variance of replicates over what their samples' variances say, at the most samples; none
     /// below 2 samples.

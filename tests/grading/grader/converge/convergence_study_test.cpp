@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <grader/converge/convergence_report.h>
+#include <grader/converge/hand_in_renderer.h>
 #include <grader/error.h>
+#include <grader/text_file.h>
 #include <statistics/random.h>
 #include <support/schema_checker.h>
+#include <support/work_folder.h>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +96,34 @@ TEST(ImagesOf, AreHalvesThenReplicatesEachWithASeedOfItsOwn) {
     ConvergencePlan given = plan();
     given.references = {"a.exr", "b.exr"};
     EXPECT_EQ(imagesOf(given).size(), 18U);
+}
+
+TEST(ImagesOf, AddAHandInThatIsRenderedAnewWhenItChanges) {
+    ConvergencePlan against = plan();
+    against.against = ComparedHandIn{"p2_1_2", "abc"};
+    const std::vector<ReferenceImage> images = imagesOf(against);
+    ASSERT_EQ(images.size(), 2U + 2 * 3 * 6);
+    EXPECT_EQ(images.back().file, "cbox_ems/handed_in_32_5.planes");
+    EXPECT_EQ(images[0].integrator, "direct_ems"); // the reference stays ours
+    const ReferenceImage before = images.back();
+    against.against->digest = "def";
+    EXPECT_FALSE(isSameRender(before, imagesOf(against).back()));
+    const std::vector<Convergence> all = evaluate(against, "/out", Renderer(against, false));
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[1].label, "cbox_ems p2_1_2");
+    EXPECT_TRUE(all[1].fit.isMonteCarlo());
+    EXPECT_TRUE(all[1].gain);
+}
+
+TEST(Planes, AreReadAsTheyWereWritten) {
+    const support::WorkFolder folder;
+    const protocol::Image image{"exr", 2, 1, {{"count.Y", {4, 4}}, {"mean.R", {1, 2}}}, {}};
+    writeTextFile(folder.path() / "a.planes",
+                  protocol::encode(protocol::ImageAnswer{image, {}, {}}));
+    EXPECT_EQ(readPlanes(folder.path() / "a.planes").channel("mean.R")->values,
+              (std::vector<float>{1, 2}));
+    folder.write("b.planes", "nonsense");
+    EXPECT_THROW(readPlanes(folder.path() / "b.planes"), GraderError);
 }
 
 TEST(Evaluate, FindsSlopeVarianceCostAndGain) {
