@@ -53,6 +53,21 @@ constexpr auto
                      [](const Square &s, double) {
                          return Point{s.u / (s.u + s.v), s.v / (s.u + s.v), 0.0};
                      }},
+                    {"triangle", "three_uniforms",
+                     "Three random numbers are divided by their sum: points crowd at the centroid.",
+                     [](const Square &s, double) {
+                         const double third = 256.0 * s.u - std::floor(256.0 * s.u);
+                         const double sum = s.u + s.v + third;
+                         return Point{s.u / sum, s.v / sum};
+                     }},
+                    {"triangle", "three_weights",
+                     "Two random numbers and the fraction of their sum are divided by their sum: "
+                     "points crowd around the centroid.",
+                     [](const Square &s, double) {
+                         const double third = std::fmod(s.u + s.v, 1.0);
+                         const double sum = s.u + s.v + third;
+                         return Point{s.u / sum, s.v / sum};
+                     }},
                     {"triangle", "half_fold",
                      "Points with x + y > 1 are halved instead of being mirrored.",
                      [](const Square &s, double) {
@@ -145,8 +160,8 @@ constexpr auto
                      [](const Square &s, double) {
                          return atAngle(0.5 * kPi * s.u, s.v);
                      }},
-                    {"hemisphere", "whole_sphere",
-                     "The whole sphere is covered: half of the directions lie below the horizon.",
+                    {"hemisphere",
+                     "whole_sphere", "The whole sphere is covered: half of the directions lie below the horizon.",
                      [](const Square &s, double) {
                          return direction(2.0 * s.u - 1.0, s.v);
                      }},

@@ -14,11 +14,12 @@
 #include <cctype>
 #include <thread>
 
+#include "calibrate_options.h"
+
 namespace grader {
 
 namespace {
 
-constexpr int kMostJobs = 256;
 constexpr std::size_t kSeedDigits = 32;
 
 constexpr char kExitCodes[] = R"(
@@ -138,6 +139,13 @@ CLI::App *addGrade(CLI::App &program, GradeCommand &command, bool marked) {
                      "1 to 32 hexadecimal digits: the same seed, the same results (default: fresh)")
         ->type_name("HEX")
         ->check(requireHex);
+    verb->add_option_function<std::string>(
+            "--lang", [&command](const std::string &code) { command.language = languageOf(code); },
+            "Language of diagnoses and hints: en, es or auto (default: the locale's)")
+        ->type_name("CODE")
+        ->check(CLI::IsMember({"en", "es", "auto"}))
+        ->default_str("auto")
+        ->force_callback();
     verb->add_flag("--json", command.json, "Print results.json instead of tables");
     verb->add_flag("--quiet", command.quiet, "Print one line per hand-in, no progress");
     verb->footer(marked ? kGradeExamples : kCheckExamples);
@@ -232,6 +240,28 @@ const CLI::App *addReferences(CLI::App &program, ReferencesCommand &command) {
     return verb;
 }
 
+void addDoctor(CLI::App &program) {
+    program.add_subcommand("doctor", "Say which sandbox level this machine gives, and why")
+        ->footer(kDoctorExamples);
+}
+
+const CLI::App *addLint(CLI::App &program, LintCommand &command) {
+    CLI::App *verb = program.add_subcommand("lint", "Check a rubric and say how it adds up");
+    verb->add_option("RUBRIC", command.rubric, "TOML file")->required()->type_name("");
+    verb->footer(kLintExamples);
+    return verb;
+}
+
+const CLI::App *addStarter(CLI::App &program, StarterCommand &command) {
+    CLI::App *verb = program.add_subcommand(
+        "starter", "Write the student edition: the base code without the graded parts");
+    verb->add_option("DIR", command.folder, "Folder to make; must be new or empty")
+        ->required()
+        ->type_name("");
+    verb->footer(kStarterExamples);
+    return verb;
+}
+
 /// What CLI11 cannot ask for.
 Command checked(const CompareCommand &command) {
     if (command.references.empty())
@@ -292,22 +322,16 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
     const CLI::App *gradeVerb = addGrade(program, grade, true);
     const CLI::App *checkVerb = addGrade(program, check, false);
 
-    CLI::App *doctorVerb =
-        program.add_subcommand("doctor", "Say which sandbox level this machine gives, and why");
-    doctorVerb->footer(kDoctorExamples);
-
+    addDoctor(program);
     LintCommand lint;
-    CLI::App *lintVerb = program.add_subcommand("lint", "Check a rubric and say how it adds up");
-    lintVerb->add_option("RUBRIC", lint.rubric, "TOML file")->required()->type_name("");
-    lintVerb->footer(kLintExamples);
+    const CLI::App *lintVerb = addLint(program, lint);
+
+    CalibrateCommand calibrate;
+    calibrate.jobs = cores;
+    const CLI::App *calibrateVerb = addCalibrate(program, calibrate);
 
     StarterCommand starter;
-    CLI::App *starterVerb = program.add_subcommand(
-        "starter", "Write the student edition: the base code without the graded parts");
-    starterVerb->add_option("DIR", starter.folder, "Folder to make; must be new or empty")
-        ->required()
-        ->type_name("");
-    starterVerb->footer(kStarterExamples);
+    const CLI::App *starterVerb = addStarter(program, starter);
 
     CompareCommand compare;
     const CLI::App *compareVerb = addCompare(program, compare);
@@ -319,8 +343,9 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
     if (arguments.empty())
         return PrintCommand{program.help()};
     if (arguments.front().rfind('-', 0) != 0) {
-        const std::vector<std::string> verbs = {"grade",   "check",   "doctor",   "lint",
-                                                "starter", "compare", "converge", "references"};
+        std::vector<std::string> verbs;
+        for (const CLI::App *verb : program.get_subcommands({}))
+            verbs.push_back(verb->get_name());
         if (std::find(verbs.begin(), verbs.end(), arguments.front()) == verbs.end())
             return UsageMistake{fmt::format("there is no verb \"{}\"{}", arguments.front(),
                                             suggestion(arguments.front(), verbs))};
@@ -342,6 +367,8 @@ Command parseCommandLine(const std::vector<std::string> &arguments) {
         return grade;
     if (checkVerb->parsed())
         return check;
+    if (calibrateVerb->parsed())
+        return calibrate;
     if (lintVerb->parsed())
         return lint;
     if (starterVerb->parsed())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <grader/diagnosis/catalogue.h>
+
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -18,8 +20,20 @@ struct GradeCommand {
     std::string seed;               ///< 32 lower-case hexadecimal digits; empty: a fresh one
     std::vector<std::string> items; ///< rubric item ids; empty: all
     int jobs = 1;
+    Language language = Language::English; ///< of diagnoses and hints
     bool json = false;
     bool quiet = false;
+};
+
+/// Tries a rubric on hand-ins whose mistakes are known.
+struct CalibrateCommand {
+    std::filesystem::path rubric;
+    std::filesystem::path corpus; ///< folder with submissions/, mutants/, variants/; empty: ours
+    std::string only;             ///< part of a hand-in's name; empty: all
+    int seeds = 1;
+    int jobs = 1;
+    int classSize = 300;
+    bool freeze = false;
 };
 
 struct DoctorCommand {};
@@ -75,8 +89,8 @@ struct UsageMistake {
 };
 
 using Command =
-    std::variant<GradeCommand, DoctorCommand, LintCommand, StarterCommand, CompareCommand,
-                 ConvergeCommand, ReferencesCommand, PrintCommand, UsageMistake>;
+    std::variant<GradeCommand, CalibrateCommand, DoctorCommand, LintCommand, StarterCommand,
+                 CompareCommand, ConvergeCommand, ReferencesCommand, PrintCommand, UsageMistake>;
 
 /// \param arguments  without the program's name
 Command parseCommandLine(const std::vector<std::string> &arguments);

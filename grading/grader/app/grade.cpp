@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <grader/app/frozen_rubric.h>
 #include <grader/app/grade_run.h>
 #include <grader/app/interrupt.h>
 #include <grader/app/load_rubric.h>
@@ -58,6 +59,9 @@ ExitCode gradeWith(const GradeCommand &command, const Rubric &rubric, const Rubr
                             .scenes = command.items.empty() ? &scenes : nullptr,
                             .interrupted = &interrupted});
     const Provenance provenance = provenanceOf(rubric);
+    if (const std::string stamp = describeFrozen(command.rubric, provenance);
+        !stamp.empty() && !command.quiet)
+        complain(stamp);
     const GradeRun run{command, asked, provenance, interrupted, sandboxLevelName(sandbox.level())};
     return gradeAll(run, [&](const Submission &submission, const ProgressCallback &progress) {
         return engine.grade(submission, progress);

@@ -57,6 +57,7 @@ public:
           m_style(terminalStyle(STDOUT_FILENO)),
           m_progress(!run.command.quiet) {
         m_result.provenance = run.provenance;
+        m_style.language = run.command.language;
     }
 
     ExitCode gradeAll() {
@@ -102,6 +103,7 @@ private:
             result = untested(submission, blame, error.what());
         }
         result.marked = m_run.command.marked;
+        result.hintSteps = m_run.rubric.hintSteps;
         for (const SubmittedFile &file : submission.files)
             result.files.push_back({file.path, useName(file.role), file.reason});
         result.timing.ingest = ingest;
@@ -150,7 +152,8 @@ private:
         m_saved = true;
         if (!m_result.submissions.empty()) {
             const SubmissionResult &last = m_result.submissions.back();
-            writeTextFile(folder / newPageName(last.name), htmlPage(last, m_result.provenance));
+            writeTextFile(folder / newPageName(last.name),
+                          htmlPage(last, m_result.provenance, m_run.command.language));
         }
         writeTextFile(file, resultsJson(m_result));
     }

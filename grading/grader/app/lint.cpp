@@ -2,6 +2,7 @@
 #include <grader/app/load_rubric.h>
 #include <grader/app/terminal.h>
 #include <grader/app/verbs.h>
+#include <grader/diagnosis/catalogue.h>
 #include <grader/error.h>
 #include <grader/results/safe_text.h>
 #include <grader/scoring/points.h>
@@ -29,6 +30,7 @@ ExitCode run(const LintCommand &command) {
             print(item);
         const RubricSummary summary = summarize(rubric);
         fmt::print("\n{}\n", summary.text);
+        fmt::print("students are shown {} of {} hints per mistake\n", rubric.hintSteps, kHintSteps);
         for (const std::string &warning : summary.warnings)
             fmt::print("warning: {}\n", safeLine(warning));
         return ExitCode::Done;

@@ -8,6 +8,7 @@ namespace grader {
 
 // One per verb. Results go to standard output, everything else to standard error.
 ExitCode run(const GradeCommand &command);
+ExitCode run(const CalibrateCommand &command);
 ExitCode run(const DoctorCommand &command);
 ExitCode run(const LintCommand &command);
 ExitCode run(const StarterCommand &command);

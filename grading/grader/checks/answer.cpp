@@ -29,11 +29,11 @@ Verdict verdictOf(const BoxEnd &end) {
 
 } // namespace
 
-CheckResult makeResult(Verdict verdict, std::string message, std::string diagnosis) {
+CheckResult makeResult(Verdict verdict, std::string message, std::vector<Guess> diagnoses) {
     CheckResult result;
     result.verdict = verdict;
     result.message = std::move(message);
-    result.diagnosis = std::move(diagnosis);
+    result.diagnoses = std::move(diagnoses);
     return result;
 }
 

@@ -5,6 +5,8 @@
 #include <grader/results/results.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace grader {
 
@@ -14,6 +16,6 @@ namespace grader {
 std::optional<CheckResult> unanswered(const ProbeAnswer &answer);
 
 /// A result with a verdict and what was found; numbers are for the caller to fill in.
-CheckResult makeResult(Verdict verdict, std::string message, std::string diagnosis = "");
+CheckResult makeResult(Verdict verdict, std::string message, std::vector<Guess> diagnoses = {});
 
 } // namespace grader

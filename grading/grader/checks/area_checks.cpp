@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <grader/checks/answer.h>
+#include <grader/checks/emitter_diagnosis.h>
 #include <grader/checks/emitter_samples.h>
 #include <grader/checks/mesh_samples.h>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "check_groups.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr int kSamples = 4096;
 constexpr double kTolerance = 1e-3;
+constexpr double kScale = 2.5; ///< of Light::Scaled
 
 /// One light, alone in a scene, and points in front of and behind it.
 struct LightScene {
@@ -52,7 +55,7 @@ LightScene makeLight(Light kind, std::uint64_t seed) {
     light.mesh = local.transformed(pose);
     Emission emission{light.radiance, {}, {}};
     if (kind == Light::Scaled)
-        emission.scale = 2.5;
+        emission.scale = kScale;
     if (kind == Light::Textured)
         emission.texture = kTexture;
     light.scene.addLight(light.mesh, {0.5, 0.4, 0.3}, emission);
@@ -81,6 +84,28 @@ CheckResult withSamples(CheckContext &context, Light kind, const Judge &judge) {
     return answer.failure ? *answer.failure : judge(light, answer.rows);
 }
 
+/// What radiance is that is `ratios` times the right one.
+std::vector<Guess> guessEval(Light kind, const std::vector<double> &ratios) {
+    if (kind == Light::Textured || kind == Light::WithoutUv)
+        return {{"area.texture_uv", 0.7}};
+    if (ratios.empty())
+        return {};
+    const auto all = [&](double target) {
+        return std::all_of(ratios.begin(), ratios.end(), [=](double ratio) {
+            return std::abs(ratio - target) <= kTolerance * std::max(target, 1.0);
+        });
+    };
+    if (all(0))
+        return {
+            {kind == Light::VertexNormals ? "mesh.vertex_normals_ignored" : "area.side_reversed",
+             1}};
+    if (kind == Light::Scaled && all(1 / kScale))
+        return {{"area.scale_ignored"}};
+    if (all(std::numbers::pi) || all(1 / std::numbers::pi))
+        return {{"area.radiance_pi"}};
+    return {{all(ratios.front()) ? "area.radiance_factor" : "area.eval_falls_off", 0.8}};
+}
+
 /// eval for places on the light, made by us: seen from the front and from behind.
 CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
     const LightScene light = makeLight(kind, context.seed("light"));
@@ -105,13 +130,13 @@ CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
             return makeResult(Verdict::Infra,
                               "our own program gave no answer: " + expected.failure->message);
     } else {
-        const double scale = kind == Light::Scaled ? 2.5 : 1;
+        const double scale = kind == Light::Scaled ? kScale : 1;
         const Vector3d value =
             fromBehind ? Vector3d::Zero().eval() : (scale * light.radiance).eval();
         expected.rows.assign(queries.size(), {value, 0});
     }
     std::size_t wrong = 0;
-    Vector3d ratio = Vector3d::Ones();
+    std::vector<double> ratios;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Vector3d &got = answer.rows[i].eval;
         const Vector3d &want = expected.rows[i].eval;
@@ -119,20 +144,10 @@ CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
             got.allFinite() && (got - want).norm() <= kTolerance * std::max(want.norm(), 1e-6);
         wrong += right ? 0 : 1;
         if (!right && want.norm() > 0)
-            ratio = got.cwiseQuotient(want);
+            ratios.push_back(got.sum() / want.sum());
     }
-    std::string diagnosis =
-        fromBehind ? "The back of the light emits: compare the normal with the "
-                     "direction from the shaded point to the light."
-                   : fmt::format("It returns {:.4g} times the radiance.", ratio.mean());
-    if (kind == Light::Scaled)
-        diagnosis = "The property `scale` is ignored.";
-    if (!fromBehind && ratio.isZero())
-        diagnosis = kind == Light::VertexNormals
-                        ? "The front is black. Was the face's own normal used, although the mesh "
-                          "has vertex normals?"
-                        : "The front is black: is the test of the side the wrong way round?";
-    return judgeRows(wrong, queries.size(), "values of AreaEmitter::eval", diagnosis);
+    return judgeRows(wrong, queries.size(), "values of AreaEmitter::eval",
+                     fromBehind ? std::vector<Guess>{{"area.two_sided"}} : guessEval(kind, ratios));
 }
 
 CheckResult judgeRecord(const LightScene &light, const std::vector<EmitterSampleRow> &rows) {
@@ -148,17 +163,16 @@ CheckResult judgeRecord(const LightScene &light, const std::vector<EmitterSample
     }
     if (offMesh > 0)
         return judgeRows(offMesh, rows.size(), "sampled points (not on the light's mesh)",
-                         "Set lRec.p to the point that Mesh::samplePosition gives.");
+                         {{"area.record_point"}});
     // Integrators take either; one that is set must be right.
     const bool distanceUnset =
         std::all_of(rows.begin(), rows.end(),
                     [](const EmitterSampleRow &row) { return !std::isfinite(row.dist); });
     if (wrongDirection > 0)
-        return judgeRows(wrongDirection, rows.size(), "directions wi",
-                         "lRec.wi is the unit vector from the shaded point lRec.ref to the light.");
-    CheckResult result = judgeRows(distanceUnset ? 0 : wrongDistance, rows.size(),
-                                   "points, directions and distances in the record",
-                                   "lRec.dist is the distance from lRec.ref to lRec.p.");
+        return judgeRows(wrongDirection, rows.size(), "directions wi", guessDirectionToLight(rows));
+    CheckResult result =
+        judgeRows(distanceUnset ? 0 : wrongDistance, rows.size(),
+                  "points, directions and distances in the record", {{"area.dist_wrong"}});
     if (distanceUnset)
         result.message += " The distance is not set.";
     return result;
@@ -172,10 +186,10 @@ CheckResult judgeValue(const LightScene &, const std::vector<EmitterSampleRow> &
         dark += row.value.allFinite() && row.value.isZero() ? 1 : 0;
     if (dark == rows.size())
         return judgeRows(dark, rows.size(), "sampled values (all black)",
-                         "AreaEmitter::sample returns nothing from the light's front.");
-    CheckResult result = judgeRows(
-        convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0, rows.size(),
-        "sampled values", "AreaEmitter::sample returns neither eval nor eval / pdf.");
+                         {{"area.side_reversed", 0.7}});
+    CheckResult result =
+        judgeRows(convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0,
+                  rows.size(), "sampled values", guessSampleValue(rows, "area.value_wrong"));
     if (convention == SampleConvention::Value)
         result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
                           "are accepted.";
@@ -186,8 +200,7 @@ CheckResult judgeValue(const LightScene &, const std::vector<EmitterSampleRow> &
 CheckResult judgeDensity(double (*densityOf)(const EmitterSampleRow &), const LightScene &light,
                          const std::vector<EmitterSampleRow> &rows) {
     std::size_t wrong = 0;
-    double sumRatio = 0;
-    double areaRatio = 0;
+    std::vector<DensityRatio> ratios;
     const double area = light.mesh.area();
     for (const EmitterSampleRow &row : rows) {
         const MeshSample place = placeOf(light.mesh, row);
@@ -204,17 +217,10 @@ CheckResult judgeDensity(double (*densityOf)(const EmitterSampleRow &), const Li
         const bool judged = -normal.dot(toLight.normalized()) > 0.05;
         const double error = std::min(std::abs(ratio - 1), std::abs(geometric - 1));
         wrong += !judged || error <= 4 * kTolerance ? 0 : 1;
-        sumRatio += judged ? ratio : 1;
-        areaRatio += densityOf(row) * area;
+        if (judged)
+            ratios.push_back({ratio, -normal.dot(toLight.normalized()), toLight.norm()});
     }
-    const auto count = static_cast<double>(rows.size());
-    std::string diagnosis = fmt::format("On average it is {:.4g} times the right density "
-                                        "|x - x_l|^2 / (area |n.wi|).",
-                                        sumRatio / count);
-    if (std::abs(areaRatio / count - 1) < 0.01)
-        diagnosis = "The density is left in area measure: convert it to solid angle with "
-                    "|x - x_l|^2 / |n.wi|.";
-    return judgeRows(wrong, rows.size(), "densities", diagnosis);
+    return judgeRows(wrong, rows.size(), "densities", guessAreaDensity(ratios));
 }
 
 CheckResult judgeForeignRecord(CheckContext &context) {
@@ -234,9 +240,7 @@ CheckResult judgeForeignRecord(CheckContext &context) {
         rows[i].pdf = evals.rows[i].pdf;
     CheckResult result =
         judgeDensity([](const EmitterSampleRow &row) { return row.pdf; }, light, rows);
-    if (result.verdict == Verdict::Fail)
-        result.diagnosis = "AreaEmitter::pdf is right only for records that AreaEmitter::sample "
-                           "filled in; it has to compute the density from p, n and ref.";
+    result.diagnoses.push_back({"area.pdf_stored", 0.8});
     return result;
 }
 
@@ -249,9 +253,8 @@ CheckResult judgeBehind(CheckContext &context) {
     std::size_t wrong = 0;
     for (const EmitterSampleRow &row : answer.rows)
         wrong += row.value.allFinite() && row.value.isZero() ? 0 : 1;
-    return judgeRows(
-        wrong, answer.rows.size(), "samples from behind the light (not black)",
-        "Points behind the light get no light from it, and no NaN or infinity either.");
+    return judgeRows(wrong, answer.rows.size(), "samples from behind the light (not black)",
+                     {{"area.behind_not_black", 0.8}});
 }
 
 Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
@@ -286,7 +289,7 @@ CheckResult judgeRecordPdf(const LightScene &, const std::vector<EmitterSampleRo
         wrong +=
             std::abs(row.recordPdf - row.pdf) <= kTolerance * row.pdf && row.emitterSet ? 0 : 1;
     return judgeRows(wrong, rows.size(), "records (pdf or emitter left unset)",
-                     "Set lRec.pdf and lRec.emitter in sample, for integrators that read them.");
+                     {{"area.record_unset"}});
 }
 
 } // namespace

@@ -24,6 +24,9 @@ public:
                                int replicate = 0) const = 0;
 };
 
+/// Levels 1e-4, 1e-4 and 1e-5 of three stages with fresh random numbers (statistics.md 2.0).
+constexpr double kTripleLockLevel = 1e-13;
+
 /// One row of the check table.
 struct Check {
     std::string id;       ///< `warp.triangle.density`
@@ -32,6 +35,9 @@ struct Check {
     std::string what;     ///< one sentence for people: what is claimed of right code
     double tolerance = 0; ///< default of RubricCheck::tolerance
     double gross = 0;     ///< default of RubricCheck::gross
+    /// Chance that right code fails, composed of the levels of the stages that have to agree; NaN
+    /// where one comparison with a fixed tolerance decides instead.
+    double falseAlarm = kTripleLockLevel;
     std::function<CheckResult(CheckContext &)> run;
 };
 

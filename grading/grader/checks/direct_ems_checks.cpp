@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <grader/checks/direct_ems_diagnosis.h>
 #include <grader/checks/image_scene.h>
 
 #include <cmath>
@@ -68,16 +69,26 @@ RadianceCase pointLights(std::uint64_t seed) {
     Room room(seed);
     RadianceCase test = onFloor(room);
     test.expected.assign(test.rays.size(), Vector3d::Zero());
-    test.lightCount = 5;
-    for (int i = 0; i < test.lightCount; ++i) {
+    constexpr int kLights = 5;
+    test.diagnoses.lightCount = kLights;
+    Hypothesis noCosine{"ems.no_cosine", test.expected};
+    Hypothesis cosineTwice{"ems.cosine_twice", test.expected};
+    for (int i = 0; i < kLights; ++i) {
         const Vector3d position = room.world({-1.2 + 0.6 * i + room.random.uniform(-0.1, 0.1),
                                               room.random.uniform(-0.8, 0.8), 1.2 + 0.1 * i});
         const Vector3d intensity = room.random.color(1, 6);
         room.scene.addPointLight(position, intensity.cast<float>().cast<double>());
-        for (std::size_t k = 0; k < test.rays.size(); ++k)
-            test.expected[k] +=
-                reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
+        for (std::size_t k = 0; k < test.rays.size(); ++k) {
+            const Vector3d point = hitPoint(test.rays[k], room.floor);
+            const Vector3d right = reflectedFromPoint(room, point, position, intensity);
+            const double cosine =
+                room.floor.geometricNormal(0).dot((position - point).normalized());
+            test.expected[k] += right;
+            noCosine.expected[k] += right / cosine;
+            cosineTwice.expected[k] += right * cosine;
+        }
     }
+    test.diagnoses.hypotheses = {std::move(noCosine), std::move(cosineTwice)};
     test.files = room.scene.files();
     return test;
 }
@@ -88,9 +99,17 @@ RadianceCase areaLight(std::uint64_t seed, double scale) {
     const Vector3d radiance = room.random.color(3, 9);
     const TestMesh light = room.lightMesh({0.2, -0.1, 1.3}, 0.9, 0.55);
     RadianceCase test = onFloor(room);
-    for (const TestRay &ray : test.rays)
+    std::vector<LitPoint> points;
+    for (const TestRay &ray : test.rays) {
+        points.push_back({hitPoint(ray, room.floor), room.floor.geometricNormal(0), room.albedo});
         test.expected.push_back(
-            reflectedFromPolygon(room, hitPoint(ray, room.floor), light, radiance));
+            reflectedFromPolygon(room, points.back().position, light, radiance));
+    }
+    test.diagnoses.isNoisy = true;
+    if (scale == 1)
+        test.diagnoses.hypotheses = areaLightMistakes(points, light, radiance);
+    else
+        test.diagnoses.other = "ems.self_shadow";
     // Radiance does not change when everything grows.
     const auto grow = [&](TestMesh mesh) {
         for (Vector3d &p : mesh.positions)
@@ -131,7 +150,7 @@ RadianceCase manyLights(std::uint64_t seed) {
             test.expected[k] +=
                 reflectedFromPoint(room, hitPoint(test.rays[k], room.floor), position, intensity);
     }
-    test.lightCount = 5;
+    test.diagnoses.lightCount = 5;
     test.files = room.scene.files();
     return test;
 }
@@ -151,6 +170,7 @@ RadianceCase background(std::uint64_t seed) {
     }
     test.files = room.scene.files();
     test.repeats = 4;
+    test.diagnoses.black = "ems.environment_not_seen";
     return test;
 }
 
@@ -165,6 +185,9 @@ RadianceCase visibleLight(std::uint64_t seed, bool fromBehind) {
     test.expected.assign(test.rays.size(), fromBehind ? Vector3d::Zero().eval() : radiance);
     test.files = room.scene.files();
     test.repeats = 16;
+    test.diagnoses.black = "ems.visible_light_missing";
+    test.diagnoses.other = fromBehind ? "ems.light_seen_from_behind" : "ems.visible_light_twice";
+    test.diagnoses.otherFit = 0.6;
     return test;
 }
 
@@ -179,9 +202,15 @@ RadianceCase reflectingLight(std::uint64_t seed) {
                         {.radiance = radiance, .scale = {}, .texture = {}});
     room.scene.addPointLight(position, intensity);
     RadianceCase test = onFloor(room);
-    for (const TestRay &ray : test.rays)
-        test.expected.emplace_back(
-            radiance + reflectedFromPoint(room, hitPoint(ray, room.floor), position, intensity));
+    test.diagnoses.hypotheses = {{"ems.reflection_dropped", {}}, {"ems.visible_light_missing", {}}};
+    for (const TestRay &ray : test.rays) {
+        const Vector3d reflected =
+            reflectedFromPoint(room, hitPoint(ray, room.floor), position, intensity);
+        test.expected.emplace_back(radiance + reflected);
+        test.diagnoses.hypotheses[0].expected.push_back(radiance);
+        test.diagnoses.hypotheses[1].expected.push_back(reflected);
+    }
+    test.diagnoses.other = "ems.reflection_dropped";
     test.files = room.scene.files();
     return test;
 }
@@ -196,12 +225,15 @@ RadianceCase farShadow(std::uint64_t seed) {
     const Vector3d radiance(1.3, 1.1, 0.9);
     room.scene.addMesh(wall, {0.5, 0.5, 0.5});
     room.scene.addEnvironment(radiance);
+    Hypothesis unshadowed{"ems.far_shadow", {}};
     for (const TestRay &ray : test.rays) {
         const double hidden = polygonIrradiance(hitPoint(ray, room.floor),
                                                 room.floor.geometricNormal(0), wall.positions) /
                               kPi;
         test.expected.emplace_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
+        unshadowed.expected.emplace_back(room.albedo.cwiseProduct(radiance));
     }
+    test.diagnoses.hypotheses = {std::move(unshadowed)};
     test.files = room.scene.files();
     test.repeats = 8192;
     test.passBound = 0.03;
@@ -212,7 +244,11 @@ RadianceCase image(const char *name, std::uint64_t seed, int repeats) {
     return imageCase(imageTemplate(name).fill(seed), repeats);
 }
 
-Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t)) {
+using Experimenter = std::vector<Guess> (*)(CheckContext &);
+
+/// \param experiment  made after a failure, for the diagnosis
+Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t),
+          Experimenter experiment = nullptr) {
     Check check;
     check.id = std::string("direct_ems.") + name;
     check.item = "direct_ems";
@@ -220,8 +256,14 @@ Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t
     check.what = what;
     check.tolerance = 0.002;
     check.gross = 0.05;
-    check.run = [make](CheckContext &context) {
-        return judgeRadiance(context, make(context.seed("scene")));
+    check.run = [=](CheckContext &context) {
+        CheckResult result = judgeRadiance(context, make(context.seed("scene")));
+        if (result.verdict == Verdict::Fail && experiment != nullptr) {
+            std::vector<Guess> found = experiment(context);
+            found.insert(found.end(), result.diagnoses.begin(), result.diagnoses.end());
+            result.diagnoses = std::move(found);
+        }
+        return result;
     };
     return check;
 }
@@ -235,12 +277,15 @@ std::vector<Check> directEmsChecks() {
             [](std::uint64_t seed) { return areaLight(seed, 1); }),
         row("many_lights", "Three area and two point lights together give the closed form.",
             manyLights),
-        row("shadow", "A room with blocks and a light looks as in our own estimator.",
-            [](std::uint64_t seed) { return image("box", seed, 256); }),
-        row("scene", "A table under five lights looks as in our own estimator.",
-            [](std::uint64_t seed) { return image("table", seed, 256); }),
-        row("visible_light", "A light that is seen shows its radiance.",
-            [](std::uint64_t seed) { return visibleLight(seed, false); }),
+        row(
+            "shadow", "A room with blocks and a light looks as in our own estimator.",
+            [](std::uint64_t seed) { return image("box", seed, 256); }, experimentWithShadows),
+        row(
+            "scene", "A table under five lights looks as in our own estimator.",
+            [](std::uint64_t seed) { return image("table", seed, 256); }, experimentWithShadows),
+        row(
+            "visible_light", "A light that is seen shows its radiance.",
+            [](std::uint64_t seed) { return visibleLight(seed, false); }, experimentWithSides),
         row("environment", "An environment map lights a scene as in our own estimator.",
             [](std::uint64_t seed) {
                 RadianceCase test = image("sky", seed, 512);
@@ -248,8 +293,9 @@ std::vector<Check> directEmsChecks() {
                 return test;
             }),
         row("background", "Where nothing is hit, the environment is seen.", background),
-        row("light_behind", "A light seen from behind is dark.",
-            [](std::uint64_t seed) { return visibleLight(seed, true); }),
+        row(
+            "light_behind", "A light seen from behind is dark.",
+            [](std::uint64_t seed) { return visibleLight(seed, true); }, experimentWithSides),
         row("reflecting_light", "A light reflects what another light sends.", reflectingLight),
         row("large_scene", "A scene in units 300 times smaller gives the same image.",
             [](std::uint64_t seed) { return areaLight(seed, 300); }),

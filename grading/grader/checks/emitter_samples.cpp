@@ -136,10 +136,10 @@ SampleConvention detectConvention(const std::vector<EmitterSampleRow> &rows, int
 }
 
 CheckResult judgeRows(std::size_t wrong, std::size_t total, const std::string &what,
-                      const std::string &diagnosis) {
-    CheckResult result = makeResult(wrong == 0 ? Verdict::Pass : Verdict::Fail,
-                                    fmt::format("{} of {} {} are wrong.", wrong, total, what),
-                                    wrong == 0 ? "" : diagnosis);
+                      std::vector<Guess> diagnoses) {
+    CheckResult result =
+        makeResult(wrong == 0 ? Verdict::Pass : Verdict::Fail,
+                   fmt::format("{} of {} {} are wrong.", wrong, total, what), std::move(diagnoses));
     result.effect = total > 0 ? static_cast<double>(wrong) / static_cast<double>(total) : 1;
     return result;
 }

@@ -66,6 +66,6 @@ SampleConvention detectConvention(const std::vector<EmitterSampleRow> &rows, int
 /// A deterministic judgement over rows: Pass if nothing is wrong, else Fail with the part of the
 /// rows that is.
 CheckResult judgeRows(std::size_t wrong, std::size_t total, const std::string &what,
-                      const std::string &diagnosis);
+                      std::vector<Guess> diagnoses);
 
 } // namespace grader

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <grader/build/base.h>
 #include <grader/checks/answer.h>
+#include <grader/checks/emitter_diagnosis.h>
 #include <grader/checks/emitter_samples.h>
 #include <grader/text_file.h>
 #include <statistics/chi_square.h>
@@ -75,15 +76,15 @@ CheckResult judgeDirections(const std::vector<EmitterSampleRow> &rows) {
     for (const EmitterSampleRow &row : rows)
         wrong += std::abs(row.wi.norm() - 1) <= kTolerance ? 0 : 1;
     return judgeRows(wrong, rows.size(), "sampled directions (not of length 1)",
-                     "lRec.wi is a unit vector towards the environment.");
+                     {{"environment.wi_not_unit"}});
 }
 
 CheckResult judgeValue(const std::vector<EmitterSampleRow> &rows) {
     int wrong = 0;
     const SampleConvention convention = detectConvention(rows, &wrong);
-    CheckResult result = judgeRows(
-        convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0, rows.size(),
-        "sampled values", "EnvironmentEmitter::sample returns neither eval nor eval / pdf.");
+    CheckResult result =
+        judgeRows(convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0,
+                  rows.size(), "sampled values", guessSampleValue(rows, "environment.value_wrong"));
     if (convention == SampleConvention::Value)
         result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
                           "are accepted.";
@@ -111,13 +112,12 @@ CheckResult judgeEval(CheckContext &context, bool constant) {
         wrong += error <= 0.01 * want.norm() ? 0 : 1;
     }
     return judgeRows(wrong <= queries.size() / 100 ? 0 : wrong, queries.size(),
-                     "values of EnvironmentEmitter::eval",
-                     "eval was given with the assignment: is it changed?");
+                     "values of EnvironmentEmitter::eval", {{"environment.eval_changed", 0.9}});
 }
 
 CheckResult judgeDensity(const std::vector<EmitterSampleRow> &rows) {
     if (isUniform(rows))
-        return judgeRows(0, rows.size(), "densities (1 / 4 pi)", "");
+        return judgeRows(0, rows.size(), "densities (1 / 4 pi)", {});
     double mean = 0;
     std::size_t wrong = 0;
     bool constant = true;
@@ -131,9 +131,9 @@ CheckResult judgeDensity(const std::vector<EmitterSampleRow> &rows) {
     });
     if (constant || !positive)
         return judgeRows(wrong, rows.size(), "densities",
-                         fmt::format("The density is {:.4g} times 1 / 4 pi, that of a uniform "
-                                     "direction on the sphere.",
-                                     mean));
+                         {{std::abs(mean - 2) <= kTolerance ? "environment.pdf_hemisphere"
+                                                            : "environment.pdf_constant",
+                           1}});
     CheckResult result = makeResult(
         Verdict::Pass, "The density is not constant: the map is importance-sampled. It is judged "
                        "against the sampled directions (environment.distribution).");
@@ -226,6 +226,7 @@ CheckResult judgeDistribution(CheckContext &context) {
     const TestScene scene = makeScene(false, context.seed("scene"));
     std::optional<CheckResult> failure;
     bool uniform = true;
+    std::vector<EmitterSampleRow> rows;
     const auto stop = [&](const std::optional<CheckResult> &why) {
         failure = why;
         statistics::StageResult stage;
@@ -244,7 +245,8 @@ CheckResult judgeDistribution(CheckContext &context) {
         const CellProbabilities expected = askProbabilities(context, scene, uniform);
         if (expected.failure)
             return stop(expected.failure);
-        return compareDirections(answer.rows, expected);
+        rows = answer.rows;
+        return compareDirections(rows, expected);
     };
     const statistics::LockResult lock =
         statistics::tripleLock(stage, {.tolerance = kToleratedRms, .passLimit = 0.2});
@@ -263,12 +265,7 @@ CheckResult judgeDistribution(CheckContext &context) {
     result.mde = last.mde;
     result.p = last.pValue;
     if (result.verdict == Verdict::Fail)
-        result.diagnosis = uniform
-                               ? "The directions are not uniform on the sphere, or depend on "
-                                 "the point that is lit: use Warp::squareToUniformSphere as the "
-                                 "direction itself."
-                               : "EnvironmentEmitter::pdf is not the density of the sampled "
-                                 "directions.";
+        result.diagnoses = guessDirections(rows, uniform);
     return result;
 }
 
@@ -292,8 +289,7 @@ CheckResult judgeForeignRecord(CheckContext &context) {
     // A direction on the edge of a map's cell may round into the next one.
     return judgeRows(wrong <= queries.size() / 50 ? 0 : wrong, queries.size(),
                      "densities of records that sample did not fill in",
-                     "EnvironmentEmitter::pdf has to compute the density from the direction, not "
-                     "return what sample stored.");
+                     {{"environment.pdf_stored", 0.8}});
 }
 
 Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {

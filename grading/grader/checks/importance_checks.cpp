@@ -50,15 +50,12 @@ CheckResult judgeChoice(CheckContext &context) {
     if (law.reversed) {
         result.verdict = Verdict::Fail;
         result.effect = 1;
-        result.diagnosis =
-            "Dim lights are chosen more often than bright ones: is a reciprocal used "
-            "as weight?";
+        result.diagnoses = {{"importance.reciprocal"}};
     } else if (result.verdict == Verdict::Fail) {
         result.message = fmt::format("The lights' frequencies are not proportional to their "
                                      "radiance: they differ by up to {:.2g} %.",
                                      100 * law.error);
-        result.diagnosis = "Append every light's radiance to the DiscretePDF once, normalise it "
-                           "once, and sample with it.";
+        result.diagnoses = {{"importance.not_proportional", 0.6}};
     }
     return result;
 }
@@ -72,8 +69,7 @@ CheckResult judgeUnbiased(CheckContext &context) {
     if (choice.isUniform())
         return uniformChoice();
     CheckResult result = judgeRadiance(context, choice.test);
-    if (result.verdict == Verdict::Fail && result.diagnosis.empty())
-        result.diagnosis = "Divide by the probability with which the light was really chosen.";
+    result.diagnoses = {{"importance.not_divided", 0.6}};
     return result;
 }
 
@@ -165,11 +161,10 @@ CheckResult judgeImprovement(CheckContext &context) {
     result.mde = kVarianceTolerance + 2 * kQuantile * std::max(found.error, control.error);
     if (off > kVarianceTolerance) {
         result.verdict = Verdict::Fail;
-        result.diagnosis = "The noise is not that of one light per sample, chosen like this and "
-                           "divided by the probability of its choice.";
+        result.diagnoses = {{"importance.other_noise", 0.5}};
     } else if (promised > 1.1 && found.log + kQuantile * found.error >= 0) {
         result.verdict = Verdict::Fail;
-        result.diagnosis = "There is no less noise than with a uniform choice.";
+        result.diagnoses = {{"importance.not_proportional", 0.5}};
     }
     return result;
 }
@@ -182,6 +177,7 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
     check.what = what;
     check.tolerance = 0.01;
     check.gross = 0.3;
+    check.falseAlarm = kNoNumber;
     check.run = run;
     return check;
 }

@@ -73,7 +73,7 @@ LightChoice makeChoice(std::uint64_t seed, bool equal) {
     test.rays = raysOnto(floor, kColumns, 0.35, random);
     test.expected.assign(test.rays.size(), Vector3d::Zero());
     test.repeats = 8192;
-    test.lightCount = static_cast<int>(std::size(kColors));
+    test.diagnoses.lightCount = static_cast<int>(std::size(kColors));
     choice.contributions.resize(test.rays.size());
     TestScene scene;
     scene.addMesh(floor, choice.albedo);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <grader/checks/answer.h>
+#include <grader/checks/mesh_diagnosis.h>
 #include <grader/checks/mesh_samples.h>
 #include <statistics/chi_square.h>
 #include <statistics/triple_lock.h>
@@ -16,7 +17,6 @@ namespace grader {
 namespace {
 
 constexpr int kSamples = 1 << 16;
-constexpr int kBins = 8;            ///< per barycentric coordinate
 constexpr double kMinExpected = 20; ///< per pooled cell: the cells are unequal
 constexpr double kToleratedRms = 0.01;
 constexpr double kPositionTolerance = 1e-4; ///< of the mesh's size
@@ -49,13 +49,19 @@ TestMesh makeShape(Shape shape, std::uint64_t seed) {
 MeshAnswer askSamples(CheckContext &context, const TestMesh &mesh, int count, int stage) {
     TestScene scene("normals");
     scene.addMesh(mesh, {0.5, 0.5, 0.5});
-    return askMeshSamples(context, scene, 0, mesh, count, context.seed("samples", stage));
+    MeshAnswer answer =
+        askMeshSamples(context, scene, 0, mesh, count, context.seed("samples", stage));
+    if (answer.failure && answer.failure->verdict == Verdict::Crash &&
+        (mesh.normals.empty() || mesh.uvs.empty()))
+        answer.failure->diagnoses = {{"mesh.normals_unchecked", 0.6}};
+    return answer;
 }
 
 /// Judges something of every sample, no randomness in it: the largest error and its tolerance.
-CheckResult judgeEverySample(CheckContext &context, Shape shape, double tolerance,
-                             const char *quantity, const char *diagnosis,
-                             double (*error)(const TestMesh &, const MeshSample &)) {
+CheckResult
+judgeEverySample(CheckContext &context, Shape shape, double tolerance, const char *quantity,
+                 double (*error)(const TestMesh &, const MeshSample &),
+                 MeshGuesses (*guess)(const TestMesh &, const std::vector<MeshSample> &)) {
     const TestMesh mesh = makeShape(shape, context.seed("mesh"));
     const MeshAnswer answer = askSamples(context, mesh, kSamples / 16, 0);
     if (answer.failure)
@@ -72,7 +78,7 @@ CheckResult judgeEverySample(CheckContext &context, Shape shape, double toleranc
         makeResult(wrong == 0 ? Verdict::Pass : Verdict::Fail,
                    fmt::format("{} of {} {} are wrong; the largest error is {:.2g}.", wrong,
                                answer.samples.size(), quantity, worst),
-                   wrong == 0 ? "" : diagnosis);
+                   guess(mesh, answer.samples));
     result.effect = part;
     return result;
 }
@@ -80,6 +86,7 @@ CheckResult judgeEverySample(CheckContext &context, Shape shape, double toleranc
 /// Stage of the triple lock: are the samples uniform over the area?
 struct Uniformity {
     statistics::StageResult stage;
+    std::vector<double> counts; ///< per cell
     std::optional<CheckResult> failure;
 };
 
@@ -93,25 +100,11 @@ Uniformity uniformityStage(CheckContext &context, const TestMesh &mesh,
         result.stage.reliable = false;
         return result;
     }
-    // Cells: triangle by triangle, in each an equal-area grid of the barycentric chart.
-    const std::size_t perFace = std::size_t{kBins} * kBins;
-    std::vector<double> observed(mesh.faces.size() * perFace);
-    std::vector<double> expected(observed.size());
-    double inside = 0;
-    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-        for (std::size_t cell = 0; cell < perFace; ++cell)
-            expected[face * perFace + cell] =
-                count * mesh.area(face) / mesh.area() / static_cast<double>(perFace);
-    }
+    const std::vector<double> expected = uniformCells(mesh, count);
+    std::vector<double> observed(expected.size());
     for (const MeshSample &sample : answer.samples) {
-        if (!(sample.distance <= kPositionTolerance))
-            continue; // judged by mesh.position
-        ++inside;
-        const auto [u, v] = sample.unitSquare();
-        const auto bin = [](double x) {
-            return std::clamp(static_cast<int>(x * kBins), 0, kBins - 1);
-        };
-        observed[sample.face * perFace + static_cast<std::size_t>(bin(u) * kBins + bin(v))] += 1;
+        if (sample.distance <= kPositionTolerance) // else judged by mesh.position
+            observed[cellOf(sample)] += 1;
     }
     const statistics::ChiSquareResult test =
         statistics::chiSquareTest(observed, expected, {.minExpected = kMinExpected});
@@ -126,16 +119,19 @@ Uniformity uniformityStage(CheckContext &context, const TestMesh &mesh,
     stage.z = (test.statistic - test.degreesOfFreedom) / std::sqrt(2.0 * test.degreesOfFreedom);
     for (std::size_t i = 0; i < observed.size(); ++i)
         stage.deviation.push_back((observed[i] - expected[i]) / std::sqrt(expected[i]));
+    result.counts = observed;
     return result;
 }
 
 CheckResult judgeUniformity(CheckContext &context, Shape shape) {
     const TestMesh mesh = makeShape(shape, context.seed("mesh"));
     std::optional<CheckResult> failure;
+    std::vector<double> counts;
     const statistics::LockResult lock = statistics::tripleLock(
         [&](const statistics::StageRequest &request) {
             Uniformity found = uniformityStage(context, mesh, request);
             failure = found.failure;
+            counts = std::move(found.counts);
             return found.stage;
         },
         {.tolerance = kToleratedRms, .passLimit = 0.2});
@@ -150,10 +146,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
         fmt::format("The density of points over {} triangles differs from uniform by {:.2g} % rms "
                     "(below {:.2g} % at 99.99 %).",
                     mesh.faces.size(), 100 * last.effect, 100 * last.effectBound),
-        verdict == Verdict::Fail
-            ? "Choose the triangle with probability proportional to its area, and use the sample "
-              "that DiscretePDF::sampleReuse rescales for the point in it."
-            : "");
+        verdict == Verdict::Fail ? guessCells(mesh, counts) : MeshGuesses{});
     result.effect = last.effect;
     result.mde = last.mde;
     result.p = last.pValue;
@@ -188,27 +181,11 @@ CheckResult judgeDensity(CheckContext &context, Shape shape) {
             ratio = r;
         }
     }
-
-    const struct {
-        double ratio;
-        const char *mistake;
-    } known[] = {
-        {area * area, "It returns the area instead of 1 / area."},
-        {area, "It returns 1: was the DiscretePDF normalised twice, or not at all?"},
-        {area / mesh.area(0), "It returns 1 / (area of one triangle) instead of 1 / (all of it)."},
-        {area * mesh.area(0), "It returns the area of one triangle."},
-        {0, "It returns 0."},
-    };
-
     CheckResult result = makeResult(
         worst <= 1e-4 ? Verdict::Pass : Verdict::Fail,
-        fmt::format("Mesh::pdf times the area of {:.4f} is {:.5g}; it must be 1.", area, ratio));
+        fmt::format("Mesh::pdf times the area of {:.4f} is {:.5g}; it must be 1.", area, ratio),
+        guessMeshDensity(mesh, ratio));
     result.effect = worst;
-    for (const auto &row : known) {
-        if (result.verdict == Verdict::Fail && result.diagnosis.empty() &&
-            std::abs(ratio - row.ratio) <= 1e-3 * std::max(row.ratio, 1e-3))
-            result.diagnosis = row.mistake;
-    }
     return result;
 }
 
@@ -237,17 +214,12 @@ Check row(const char *name, const char *what, std::function<CheckResult(CheckCon
 }
 
 CheckResult positions(CheckContext &context, Shape shape) {
-    return judgeEverySample(context, shape, kPositionTolerance, "points",
-                            "The points do not lie on the mesh: do the three barycentric weights "
-                            "add up to 1?",
-                            positionError);
+    return judgeEverySample(context, shape, kPositionTolerance, "points", positionError,
+                            guessPositions);
 }
 
 CheckResult normals(CheckContext &context, Shape shape) {
-    return judgeEverySample(context, shape, kNormalTolerance, "normals",
-                            "The normal must be the normalised interpolation of the face's vertex "
-                            "normals, or the face's own by its winding if the mesh has none.",
-                            normalError);
+    return judgeEverySample(context, shape, kNormalTolerance, "normals", normalError, guessNormals);
 }
 
 } // namespace
@@ -273,9 +245,7 @@ std::vector<Check> meshChecks() {
         row("uv", "Texture coordinates belong to the point.",
             [](CheckContext &context) {
                 return judgeEverySample(context, Shape::Ball, kUvTolerance, "texture coordinates",
-                                        "Interpolate the texture coordinates with the weights of "
-                                        "the position.",
-                                        uvError);
+                                        uvError, guessUvs);
             }),
     };
 }

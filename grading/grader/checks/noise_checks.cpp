@@ -119,6 +119,13 @@ double detectableBias(const Noise &noise) {
     return noise.mean > 0 ? std::max(kBiasTolerance, std::sqrt(square) / noise.mean) : 0;
 }
 
+/// Means that scatter more than their samples, or hardly at all, come from numbers used again; an
+/// error that is just there leaves them as they must be.
+bool isReused(const Noise &noise) {
+    const double wide = kWide * noise.between.standardError;
+    return noise.between.ratio - wide > 1.5 || noise.between.ratio + wide < 0.5;
+}
+
 CheckResult judgeIndependence(CheckContext &context) {
     Noise noise;
     constexpr double kLevels[] = {1e-4, 1e-4, 1e-5};
@@ -141,8 +148,7 @@ CheckResult judgeIndependence(CheckContext &context) {
     result.p = noise.common.pValue;
     result.mde = detectableBias(noise);
     if (rejected)
-        result.diagnosis = "Samples that should be independent go wrong together: are random "
-                           "numbers used again, or kept?";
+        result.diagnoses = {{"ems.samples_reused", isReused(noise) ? 1 : kVagueFit}};
     return result;
 }
 
@@ -220,9 +226,6 @@ CheckResult judgeMethod(CheckContext &context) {
                     describe(light), variance, method));
     result.effect = std::abs(light.ratio - 1);
     result.mde = kTolerance + 2 * kWide * light.standardError;
-    if (result.verdict == Verdict::Fail)
-        result.diagnosis = "The image is made in another way than by one sample of one light; if "
-                           "its mean is right, that is no mistake.";
     return result;
 }
 
@@ -234,6 +237,7 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
     check.what = what;
     check.tolerance = 0.03;
     check.gross = 0.3;
+    check.falseAlarm = run == judgeMethod ? kNoNumber : kTripleLockLevel;
     check.run = run;
     return check;
 }

@@ -72,9 +72,9 @@ public:
             result.verdict = Verdict::Pass;
         if (lock.decision == statistics::Decision::Fail) {
             result.verdict = Verdict::Fail;
-            result.diagnosis = nameFactor(m_last.factor, m_test.lightCount);
-        } else {
-            lookAtSuspects(result);
+            result.diagnoses = guessRadiance(m_student, m_expected, m_test.diagnoses);
+        } else if (lookAtSuspects(result)) {
+            result.diagnoses = {{m_test.diagnoses.other, m_test.diagnoses.otherFit}};
         }
         if (m_early)
             return *m_early;
@@ -168,11 +168,12 @@ private:
     }
 
     /// Holes and edges that tiles dilute: chosen on the samples at hand, judged on fresh ones.
-    void lookAtSuspects(CheckResult &result) {
+    /// \return  whether something is wrong there
+    bool lookAtSuspects(CheckResult &result) {
         const Suspects suspects =
             findSuspects(m_student, m_expected, m_test.columns, m_test.tileSize());
         if (suspects.largest < kSuspicion || m_slow)
-            return;
+            return false;
         const int repeats = std::min(m_repeats, kMostRepeats);
         double mean = 0;
         for (const auto &channel : m_expected) {
@@ -204,11 +205,8 @@ private:
         };
         if (!suspects.tiles.empty() &&
             lookAt(suspects.tiles, m_test.tileSize() * m_test.tileSize(), repeats * kTileFactor))
-            result.diagnosis = "A part of the image is wrong: compare it with the scene's shadows "
-                               "and edges.";
-        else if (!m_early && lookAt(suspects.pixels, 1, repeats * kPixelFactor))
-            result.diagnosis = "Single pixels are wrong, again with fresh samples: holes, or lines "
-                               "where a surface shadows itself?";
+            return true;
+        return !m_early && lookAt(suspects.pixels, 1, repeats * kPixelFactor);
     }
 
     void countInvalid(CheckResult &result) const {
@@ -216,7 +214,7 @@ private:
         if (invalid > kInvalidTolerance && result.verdict != Verdict::Fail) {
             result.verdict = Verdict::Fail;
             result.effect = invalid;
-            result.diagnosis = "A division by a density of 0, or the root of a negative number?";
+            result.diagnoses = {{"ems.not_finite", 0.9}};
         }
         result.message += m_counts.describe();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <grader/checks/check.h>
+#include <grader/checks/radiance_diagnosis.h>
 #include <grader/checks/radiance_samples.h>
 #include <grader/scenes/test_scene.h>
 
@@ -25,7 +26,7 @@ struct RadianceCase {
     int pixelRows = 0;              ///< of the camera, whose pixels stand in `columns`
     std::vector<Vector3d> expected; ///< closed form per ray; empty: our own estimator
     int repeats = 2048;             ///< samples per ray at the third look
-    int lightCount = 1;             ///< for the diagnosis: a factor of this much has a name
+    CaseDiagnoses diagnoses;        ///< what may be wrong
     double passBound = 0.02;        ///< a pass states that the common factor is off by less
     double tilePassBound = std::numeric_limits<double>::infinity(); ///< and that every tile is
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace grader {
 
@@ -189,34 +188,6 @@ statistics::StageResult compareSuspects(const RadianceMoments &student,
     }
     result.effect = mean > 0 ? wrong / (3 * mean * static_cast<double>(places)) : 1;
     return result;
-}
-
-std::string nameFactor(double factor, int lightCount) {
-    constexpr double kPi = std::numbers::pi;
-
-    struct Named {
-        double value;
-        const char *mistake;
-    };
-
-    const double n = lightCount;
-    const Named rows[] = {
-        {n, "The probability of choosing the light is counted twice, or its reciprocal is used."},
-        {1 / n, "The probability of choosing the light is forgotten: with one light of several "
-                "sampled, its contribution has to be divided by that probability."},
-        {1 / (n * n), "The probability of choosing the light is multiplied instead of divided by."},
-        {kPi, "A factor of pi too much: a diffuse BSDF is albedo / pi."},
-        {1 / kPi, "A factor of pi too little: check what the BSDF already divides by."},
-        {4 * kPi, "A factor of 4 pi too much: check the density of a uniform direction."},
-        {1 / (4 * kPi), "A factor of 4 pi too little: check the density of a uniform direction."},
-        {2, "Exactly twice as bright: something is added twice, or a density is twice as small."},
-        {0.5, "Exactly half as bright: check the density of the sample."},
-    };
-    for (const Named &row : rows) {
-        if (std::abs(factor / row.value - 1) < 0.01 && std::abs(row.value - 1) > 0.1)
-            return row.mistake;
-    }
-    return factor == 0 ? "Nothing arrives: everything is black." : "";
 }
 
 } // namespace grader

@@ -5,7 +5,6 @@
 #include <statistics/triple_lock.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace grader {
@@ -54,9 +53,5 @@ Suspects findSuspects(const RadianceMoments &student, const RadianceMoments &exp
 statistics::StageResult compareSuspects(const RadianceMoments &student,
                                         const RadianceMoments &expected, int perGroup, double mean,
                                         std::size_t places);
-
-/// Factors that a whole image is off by, and what they come from; empty for others.
-/// \param lightCount  number of lights of which one is chosen
-std::string nameFactor(double factor, int lightCount);
 
 } // namespace grader

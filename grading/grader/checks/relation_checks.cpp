@@ -28,7 +28,7 @@ constexpr double kOtherChoices = 1e-3;
 struct Relation {
     const char *name;
     const char *what;
-    const char *diagnosis;
+    const char *diagnosis; ///< id
     std::vector<SceneVariation> left;
     std::vector<SceneVariation> right;
 };
@@ -46,18 +46,17 @@ std::vector<Relation> relations() {
     return {
         {"moved",
          "Moving and turning the whole scene leaves its image as it is.",
-         "Something depends on where the scene stands: a direction in another frame, a distance "
-         "from the origin?",
+         "ems.depends_on_place",
          {{}},
          {moved}},
         {"cut",
          "Cutting lights and surfaces into more triangles leaves the image as it is.",
-         "Triangles have to be chosen by their area, and the density is one over the whole area.",
+         "ems.depends_on_triangles",
          {{}},
          {cut}},
         {"added",
          "Two images with some of the lights each add up to the one with all lights.",
-         "Is every light chosen, and its contribution divided by the probability of choosing it?",
+         "ems.light_left_out",
          {dark({0, 1}), dark({2, 3, 4})},
          {{}}},
     };
@@ -133,7 +132,7 @@ CheckResult judgeRelation(CheckContext &context, const Relation &relation) {
         result.verdict = Verdict::Pass;
     if (lock.decision == statistics::Decision::Fail) {
         result.verdict = Verdict::Fail;
-        result.diagnosis = relation.diagnosis;
+        result.diagnoses = {{relation.diagnosis, 0.6}};
     }
     return result;
 }
@@ -186,9 +185,7 @@ CheckResult judgeScaled(CheckContext &context) {
                     kFactor, 100 * differing, plain.size() / 3, kFactor));
     result.effect = differing;
     result.mde = kOtherChoices;
-    if (result.verdict == Verdict::Fail)
-        result.diagnosis = "Radiance enters somewhere else than as a factor: is it clamped, or "
-                           "compared with a constant?";
+    result.diagnoses = {{"ems.clamped", 0.9}};
     return result;
 }
 

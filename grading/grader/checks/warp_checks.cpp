@@ -2,11 +2,11 @@
 #include <battery/density.h>
 #include <battery/distribution.h>
 #include <battery/inputs.h>
-#include <battery/nearest_mistake.h>
 #include <battery/range.h>
 #include <battery/steps.h>
 #include <battery/stratified.h>
 #include <grader/checks/answer.h>
+#include <grader/checks/warp_diagnosis.h>
 #include <grader/checks/warp_samples.h>
 #include <statistics/triple_lock.h>
 
@@ -48,33 +48,30 @@ void keepWorse(CheckResult &worst, CheckResult next) {
         worst = std::move(next);
 }
 
-CheckResult rangeResult(const WarpEntry &warp, const battery::RangeResult &range,
-                        const std::vector<Input> &inputs, const std::string &where) {
+CheckResult rangeResult(const WarpEntry &warp, double parameter, const battery::RangeResult &range,
+                        const std::vector<Input> &inputs, const std::vector<Output> &outputs) {
     const Input &input = inputs[range.firstBad];
     CheckResult result = makeResult(
         Verdict::Fail,
         fmt::format("{} of {} outputs{} are not in the domain ({} not finite, {} not of length 1, "
                     "{} outside), first for the sample ({}, {}).",
-                    range.bad(), range.total, where, range.notFinite, range.offNorm, range.outside,
-                    input.u, input.v));
+                    range.bad(), range.total, atParameter(warp, parameter), range.notFinite,
+                    range.offNorm, range.outside, input.u, input.v),
+        guessRange(warp, parameter, range, outputs));
     result.effect = range.badFraction();
-    result.diagnosis = range.notFinite > 0
-                           ? "A division by 0, the logarithm of 0 or the root of a negative number."
-                           : fmt::format("{} leaves its domain.", warp.warpFunction);
     return result;
 }
 
 /// Deterministic: domain and repeatability. \return  a failure, or an empty message
-CheckResult judgeOutputs(const WarpEntry &warp, const battery::Batch &batch,
-                         const std::vector<Input> &grid, const WarpAnswer &answer,
-                         const std::string &where) {
+CheckResult judgeOutputs(const WarpEntry &warp, double parameter, const battery::Batch &batch,
+                         const std::vector<Input> &grid, const WarpAnswer &answer) {
     const battery::DuplicateResult repeats = battery::judgeDuplicates(batch, answer.outputs[0]);
     if (repeats.differing > 0) {
-        CheckResult result = makeResult(
-            Verdict::Fail,
-            fmt::format("{} of {} samples give another point when they come again{}.",
-                        repeats.differing, repeats.pairs, where),
-            "A warp must use nothing but its sample: no random numbers of its own, no state.");
+        CheckResult result =
+            makeResult(Verdict::Fail,
+                       fmt::format("{} of {} samples give another point when they come again{}.",
+                                   repeats.differing, repeats.pairs, atParameter(warp, parameter)),
+                       {{"warp.own_random_numbers"}});
         result.effect = 1;
         return result;
     }
@@ -83,7 +80,7 @@ CheckResult judgeOutputs(const WarpEntry &warp, const battery::Batch &batch,
     for (const auto &[inputs, outputs] : lists) {
         const battery::RangeResult range = battery::judgeRange(warp, *inputs, *outputs);
         if (range.badFraction() > battery::kTolerableBadFraction)
-            return rangeResult(warp, range, *inputs, where);
+            return rangeResult(warp, parameter, range, *inputs, *outputs);
     }
     return {};
 }
@@ -94,11 +91,11 @@ CheckResult judgeContinuity(const WarpEntry &warp, double parameter,
     const battery::StepResult steps = battery::judgeSteps(warp, parameter, outputs);
     if (!steps.isStepped())
         return {};
-    CheckResult result = makeResult(
-        Verdict::Fail,
-        fmt::format("The points lie on about {:.0f} lines of constant {}{}.", 1 / steps.gap,
-                    steps.coordinate, atParameter(warp, parameter)),
-        "A random number is rounded: is it turned into an integer, a degree or a pixel?");
+    CheckResult result =
+        makeResult(Verdict::Fail,
+                   fmt::format("The points lie on about {:.0f} lines of constant {}{}.",
+                               1 / steps.gap, steps.coordinate, atParameter(warp, parameter)),
+                   {{"warp.rounded"}});
     result.effect = std::min(1.0, 10 * steps.gap);
     return result;
 }
@@ -111,7 +108,7 @@ CheckResult judgeEdgesAt(CheckContext &context, const WarpEntry &warp, double pa
         return *answer.failure;
     const battery::RangeResult edge = battery::judgeRange(warp, inputs, answer.outputs[0]);
     if (edge.bad() > 0)
-        return rangeResult(warp, edge, inputs, atParameter(warp, parameter));
+        return rangeResult(warp, parameter, edge, inputs, answer.outputs[0]);
     CheckResult result =
         makeResult(Verdict::Pass,
                    fmt::format("None of {} edge samples, such as exactly 0, leaves the domain{}.",
@@ -138,7 +135,8 @@ CheckResult judgeStratified(CheckContext &context, const WarpEntry &warp, double
         last.exceeds() ? Verdict::Fail : Verdict::Pass,
         fmt::format("Smooth deviations from the density are {} {:.2g} %{}.",
                     last.exceeds() ? "as large as" : "below",
-                    100 * std::max(last.maxMoment, last.threshold), atParameter(warp, parameter)));
+                    100 * std::max(last.maxMoment, last.threshold), atParameter(warp, parameter)),
+        {{"warp.density_of_points", kVagueFit}});
     result.effect = last.maxMoment;
     result.mde = last.threshold;
     return result;
@@ -165,7 +163,7 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
         const WarpAnswer answer = askWarp(context, warp, parameter, {batch.inputs, grid});
         if (answer.failure)
             return stop(*answer.failure);
-        CheckResult wrong = judgeOutputs(warp, batch, grid, answer, where);
+        CheckResult wrong = judgeOutputs(warp, parameter, batch, grid, answer);
         if (!wrong.message.empty())
             return stop(std::move(wrong));
         outputs = battery::withoutDuplicates(batch, answer.outputs[0]);
@@ -187,9 +185,7 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
     result.p = last.pValue;
     if (lock.decision == statistics::Decision::Fail) {
         result.verdict = Verdict::Fail;
-        const battery::MistakeMatch match = battery::nearestMistake(warp, parameter, outputs);
-        if (match.mistake != nullptr)
-            result.diagnosis = match.mistake->description;
+        result.diagnoses = guessSamples(warp, parameter, outputs);
         return result;
     }
     if (CheckResult stepped = judgeContinuity(warp, parameter, outputs); !stepped.message.empty())
@@ -200,26 +196,6 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
     if (lock.decision == statistics::Decision::Pass)
         result.verdict = Verdict::Pass;
     return result;
-}
-
-std::string describeRatio(const battery::DensityResult &density) {
-    if (density.mistake != nullptr)
-        return std::string(density.mistake->description);
-    if (density.ratio.found && density.ratio.cosinePower == 0)
-        return fmt::format("It is {} times the true density.",
-                           density.ratio.constantName.empty()
-                               ? fmt::format("{:.4g}", density.ratio.constant)
-                               : density.ratio.constantName);
-    if (density.ratio.found && density.ratio.cosinePower == 1 && density.ratio.constantName == "1")
-        return "There is a cosine too many.";
-    if (density.ratio.found && density.ratio.cosinePower == -1 && density.ratio.constantName == "1")
-        return "A cosine is missing.";
-    if (density.ratio.found)
-        return fmt::format("It is {:.4g} times the true density times cos^{}.",
-                           density.ratio.constant, density.ratio.cosinePower);
-    if (density.zeroAtTarget > 0)
-        return "It is 0 at some points that the warp gives: is the norm compared exactly?";
-    return "";
 }
 
 /// \param outside  judge what is outside the support instead of inside
@@ -240,7 +216,7 @@ CheckResult judgeDensityAt(CheckContext &context, const WarpEntry &warp, double 
             right ? Verdict::Pass : Verdict::Fail,
             fmt::format("The density is not 0 at {} of {} points outside of the domain{}.",
                         found.nonZeroOutside, found.outsidePoints, where),
-            right ? "" : "Return 0 for points that the warp never gives.");
+            guessDensity(warp, found, true));
         result.effect = found.outsideMass;
         return result;
     }
@@ -250,10 +226,9 @@ CheckResult judgeDensityAt(CheckContext &context, const WarpEntry &warp, double 
         fmt::format(
             "The density is wrong at {:.2g} % of the samples{}; it is {:.4g} times the true "
             "one (median).",
-            100 * found.wrongMass(), where, found.medianRatio));
+            100 * found.wrongMass(), where, found.medianRatio),
+        guessDensity(warp, found, false));
     result.effect = std::max(found.wrongMass(), right ? 0.0 : 0.001);
-    if (!right)
-        result.diagnosis = describeRatio(found);
     if (found.notFinite > 0)
         result.message += fmt::format(" It is not finite at {} points.", found.notFinite);
     if (found.negative > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_runner.h"
 
+#include <grader/diagnosis/catalogue.h>
 #include <grader/digest.h>
 
 #include <fmt/core.h>
@@ -90,6 +91,15 @@ bool isAtFault(Verdict verdict) {
     return rank(verdict) < 2;
 }
 
+/// Keeps what is likely: nothing where nothing is wrong.
+void tellDiagnoses(CheckResult &result) {
+    result.diagnoses =
+        isAtFault(result.verdict) ? bestGuesses(result.diagnoses) : std::vector<Guess>{};
+    const Diagnosis *first =
+        result.diagnoses.empty() ? nullptr : findDiagnosis(result.diagnoses.front().id);
+    result.diagnosis = first != nullptr ? first->in(Language::English).sentence : "";
+}
+
 } // namespace
 
 CheckRunner::CheckRunner(const Sandbox &sandbox, const EngineOptions &options,
@@ -138,6 +148,7 @@ CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
         result = withVerdict(check, Verdict::Infra,
                              fmt::format("The check could not judge the answer: {}", error.what()));
     }
+    tellDiagnoses(result);
     result.id = check.id;
     result.variant = variant.name;
     m_sampleSeconds = m_sampleSeconds + context.sampleSeconds();
@@ -161,10 +172,10 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     }
     if (excusable)
         return best;
-    if (best.verdict == Verdict::Pass)
-        first.diagnosis =
-            "The integrator is right with other emitters: yours and it do not agree on "
-            "which of them divides the radiance by the density.";
+    if (best.verdict == Verdict::Pass) {
+        first.diagnoses.push_back({"ems.convention", 0.8});
+        tellDiagnoses(first);
+    }
     return first;
 }
 

@@ -72,6 +72,47 @@ std::string itemTable(const SubmissionResult &result) {
     return html + "</tbody>\n</table></div>\n";
 }
 
+/// `Hint 1`, told one by one, so that a student can stop at the first that helps.
+std::string hintLadder(const DiagnosisText &text, std::size_t steps, Language language) {
+    std::string html;
+    for (std::size_t step = 0; step < std::min(steps, kHintSteps); ++step)
+        html += fmt::format("<details><summary>{} {}</summary><p>{}</p></details>\n",
+                            language == Language::Spanish ? "Pista" : "Hint", step + 1,
+                            escapeHtml(text.hints[step]));
+    return html;
+}
+
+/// Likely mistakes of all items, in both languages; radio buttons before it choose one.
+std::string diagnosisSection(const SubmissionResult &result, Language shown) {
+    std::string body;
+    for (const ItemResult &item : result.items) {
+        if (item.diagnoses.empty())
+            continue;
+        body += fmt::format("<h3>{}</h3>\n", escapeHtml(item.title));
+        for (const Guess &guess : item.diagnoses) {
+            const Diagnosis *diagnosis = findDiagnosis(guess.id);
+            if (diagnosis == nullptr)
+                continue;
+            for (const Language language : kLanguages) {
+                const DiagnosisText &text = diagnosis->in(language);
+                body += fmt::format("<div lang=\"{}\"><p>{}</p>\n{}</div>\n",
+                                    languageCode(language), escapeHtml(text.sentence),
+                                    hintLadder(text, result.hintSteps, language));
+            }
+        }
+    }
+    if (body.empty())
+        return body;
+    std::string html =
+        "<section>\n<h2>What it may be · <span lang=\"es\">Qué puede ser</span></h2>\n";
+    for (const Language language : kLanguages)
+        html += fmt::format("<input type=\"radio\" name=\"lang\" id=\"lang-{0}\"{1}>"
+                            "<label for=\"lang-{0}\" lang=\"{0}\">{2}</label>\n",
+                            languageCode(language), language == shown ? " checked" : "",
+                            language == Language::Spanish ? "Español" : "English");
+    return html + "<div class=\"both\">\n" + body + "</div>\n</section>\n";
+}
+
 std::string checkRow(const CheckResult &check) {
     std::string html =
         fmt::format("<tr><th scope=\"row\">{}</th>{}<td>{}</td>", escapeHtml(check.id),
@@ -190,7 +231,8 @@ std::string provenanceList(const SubmissionResult &result, const Provenance &fro
 
 } // namespace
 
-std::string htmlPage(const SubmissionResult &result, const Provenance &provenance) {
+std::string htmlPage(const SubmissionResult &result, const Provenance &provenance,
+                     Language language) {
     std::string html =
         fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
@@ -208,8 +250,9 @@ std::string htmlPage(const SubmissionResult &result, const Provenance &provenanc
         html += "<p>Not final: a part could not be tested, through no fault of the hand-in.</p>\n";
     if (needsHuman(result))
         html += "<p>Not final: someone has to look.</p>\n";
-    html += itemTable(result) + checkTables(result) + noteList(result) + figureTable(result) +
-            fileTable(result) + provenanceList(result, provenance);
+    html += itemTable(result) + diagnosisSection(result, language) + checkTables(result) +
+            noteList(result) + figureTable(result) + fileTable(result) +
+            provenanceList(result, provenance);
     return html + "</main>\n</body>\n</html>\n";
 }
 

@@ -27,6 +27,8 @@ thead th { background: var(--soft); overflow-wrap: normal; }
 details { margin: .5rem 0; border: 1px solid var(--line); border-radius: .3rem; }
 summary { cursor: pointer; padding: .4rem .6rem; background: var(--soft); }
 .scroll { overflow-x: auto; }
+.both { display: grid; gap: .2rem; } input[name=lang] + label { margin-right: 1rem; }
+#lang-en:checked ~ .both [lang=es], #lang-es:checked ~ .both [lang=en] { display: none; }
 .message { white-space: pre-wrap; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; }
 dd { margin: 0; overflow-wrap: anywhere; }

@@ -124,6 +124,27 @@ void writeLabelled(const std::string &label, const std::string &content, const T
         text += (i == 0 ? head : std::string(indent, ' ')) + lines[i] + "\n";
 }
 
+/// The likeliest mistake of each item and the hints that the rubric allows. In English the sentence
+/// stands in the reason already.
+void writeHints(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
+    std::string hints;
+    for (const ItemResult &item : result.items) {
+        const Diagnosis *diagnosis =
+            item.diagnoses.empty() ? nullptr : findDiagnosis(item.diagnoses.front().id);
+        if (diagnosis == nullptr)
+            continue;
+        const DiagnosisText &told = diagnosis->in(style.language);
+        std::string line = style.language == Language::English ? "" : " " + told.sentence;
+        for (std::size_t step = 0; step < std::min(result.hintSteps, kHintSteps); ++step)
+            line += (step > 0 ? fmt::format(" ({}) ", step + 1) : " ") + told.hints[step];
+        if (!line.empty())
+            writeLabelled(style.language == Language::Spanish ? "pista:" : "hint:",
+                          item.id + ":" + line, style, hints);
+    }
+    if (!hints.empty())
+        text += "\n" + hints;
+}
+
 void writeNotes(const SubmissionResult &result, const TerminalStyle &style, std::string &text) {
     std::vector<const Note *> shown;
     for (const Note::Level level : {Note::Level::Human, Note::Level::Odd}) {
@@ -260,6 +281,7 @@ std::string terminalReport(const SubmissionResult &result, const TerminalStyle &
     else if (needsHuman(result))
         text += ", not final: someone has to look";
     text += "\n";
+    writeHints(result, style, text);
     writeNotes(result, style, text);
     writeFigures(result, style, text);
     writeFiles(result, style, text);

@@ -3,6 +3,7 @@
 
 #include <grader/diagnosis/guess.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -122,9 +123,10 @@ struct SubmissionResult {
     std::vector<std::string> members; ///< NIPs from the name
     double total = 0;
     double cap = 0;
-    bool marked = true;  ///< false for `check`: no points are shown
-    std::string sandbox; ///< level, `S3`
-    std::string seed;    ///< 32 hexadecimal digits
+    bool marked = true;        ///< false for `check`: no points are shown
+    std::string sandbox;       ///< level, `S3`
+    std::string seed;          ///< 32 hexadecimal digits
+    std::size_t hintSteps = 1; ///< of every hint ladder, as the rubric allows
     std::vector<ItemResult> items;
     std::vector<Note> notes;
     std::vector<FileUse> files;

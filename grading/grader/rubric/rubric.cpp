@@ -21,6 +21,7 @@ constexpr double kSchema = 1;
 constexpr double kMostPoints = 10000;
 constexpr double kLargestEffect = 1e6;
 constexpr double kLargestWeight = 1000;
+constexpr double kMostHints = 3;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 20;
 
 const std::vector<std::string> kSeverityNames = {"blemish", "latent", "visible"};
@@ -82,6 +83,11 @@ double readAssignment(TomlTable table, Rubric &rubric) {
         rubric.extras = kPolicies[*policy];
     if (const auto level = table.findChoice("min_sandbox", kLevelNames))
         rubric.minSandbox = kLevels[*level];
+    if (const auto steps = table.findNumber("hints", 0, kMostHints)) {
+        if (*steps != std::floor(*steps))
+            table.fail("hints", fmt::format("hints = {} is no whole number of steps", *steps));
+        rubric.hintSteps = static_cast<std::size_t>(*steps);
+    }
     const double fraction =
         table.findNumber("latent_fraction", 0, 1).value_or(RubricItem{}.latentFraction);
     table.rejectUnknownKeys();

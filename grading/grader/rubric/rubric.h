@@ -4,6 +4,7 @@
 #include <grader/results/results.h>
 #include <grader/sandbox/box.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -56,6 +57,7 @@ struct Rubric {
     double cap = 100;
     ExtrasPolicy extras = ExtrasPolicy::FillToCap;
     SandboxLevel minSandbox = SandboxLevel::S2;
+    std::size_t hintSteps = 1; ///< of each diagnosis' ladder that students are shown [0, 3]
     std::vector<RubricItem> items;
     std::string digest; ///< SHA-256 of the file
 };

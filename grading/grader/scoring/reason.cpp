@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reason.h"
 
+#include <grader/diagnosis/catalogue.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +17,8 @@ bool isDefect(Verdict verdict) {
            verdict != Verdict::Infra && verdict != Verdict::Human;
 }
 
-std::string sentence(const CheckResult &check) {
-    const std::string message = check.message.empty() ? check.id + " failed." : check.message;
-    return check.diagnosis.empty() ? message : message + " " + check.diagnosis;
+std::string messageOf(const CheckResult &check) {
+    return check.message.empty() ? check.id + " failed." : check.message;
 }
 
 std::size_t countIf(const ItemResult &result, bool (*matches)(const CheckResult &)) {
@@ -57,7 +58,11 @@ std::string defects(const RubricItem &item, const ItemResult &result) {
         }
     }
     const CheckResult &check = result.checks[worst];
-    std::string text = sentence(check);
+    std::string text = messageOf(check);
+    const Diagnosis *diagnosis =
+        result.diagnoses.empty() ? nullptr : findDiagnosis(result.diagnoses.front().id);
+    if (diagnosis != nullptr)
+        text += " " + diagnosis->in(Language::English).sentence;
     if (check.severity == Severity::Latent)
         text += " (No scene of the assignment shows this; it costs little.)";
     std::size_t others = 0;
@@ -90,11 +95,11 @@ std::string reasonFor(const RubricItem &item, const ItemResult &result) {
     };
     std::string text = "Right in everything that was tested.";
     if (const auto human = first(Verdict::Human); human != result.checks.end())
-        text = "Someone has to look: " + sentence(*human);
+        text = "Someone has to look: " + messageOf(*human);
     else if (const auto infra = first(Verdict::Infra); infra != result.checks.end())
-        text = "Not tested, through no fault of the hand-in: " + sentence(*infra);
+        text = "Not tested, through no fault of the hand-in: " + messageOf(*infra);
     else if (const auto open = first(Verdict::Inconclusive); open != result.checks.end())
-        text = "Cannot be told, and so costs nothing: " + sentence(*open);
+        text = "Cannot be told, and so costs nothing: " + messageOf(*open);
     if (const std::size_t remarks = countIf(result, isRemark); remarks > 0)
         text += fmt::format(" {}, which costs nothing.", plural(remarks, "remark", "remarks"));
     return text;

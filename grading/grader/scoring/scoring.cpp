@@ -36,6 +36,16 @@ CheckResult outcomeOf(const RubricCheck &rule, const std::vector<CheckResult> &o
     return check;
 }
 
+/// What the checks that cost say.
+std::vector<Guess> diagnosesOf(const std::vector<CheckResult> &checks) {
+    std::vector<Guess> all;
+    for (const CheckResult &check : checks) {
+        if (check.score < 1 && check.severity != Severity::Blemish)
+            all.insert(all.end(), check.diagnoses.begin(), check.diagnoses.end());
+    }
+    return bestGuesses(all);
+}
+
 /// Fraction of the item's points that is kept.
 double keptFraction(const RubricItem &item, const std::vector<CheckResult> &checks) {
     Share visible;
@@ -104,6 +114,7 @@ ItemResult scoreItem(const RubricItem &item, const std::vector<CheckResult> &out
             check.verdict == Verdict::Human)
             result.verdict = worseVerdict(result.verdict, check.verdict);
     }
+    result.diagnoses = diagnosesOf(result.checks);
     result.points = toPoints(toHundredths(item.points * keptFraction(item, result.checks)));
     result.reason = reasonFor(item, result);
     return result;

@@ -218,7 +218,8 @@ inline const auto kWrong = std::to_array<SampleWarp>({
          const float third = hash(s);
          const float sum = std::max(1e-6F, s.u + s.v + third);
          return Output{s.u / sum, s.v / sum, 0.0F};
-     }},
+     },
+     "three_uniforms"},
     {"disk", "degrees", // 360 v used as radians: 57.3 turns
      [](const Input &s, float) {
          return polar(std::sqrt(s.u), 360.0F * s.v, 0.0F);

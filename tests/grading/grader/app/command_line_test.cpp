@@ -68,6 +68,24 @@ TEST(CommandLine, ReadsTheOtherVerbs) {
     EXPECT_NE(mistake({"references", "--full-size"}).find("needs --out"), std::string::npos);
 }
 
+TEST(CommandLine, ReadsCalibrateAndLanguages) {
+    const auto calibrate = std::get<CalibrateCommand>(
+        parseCommandLine({"calibrate", "r.toml", "--seeds", "3", "--freeze", "--corpus", "c"}));
+    EXPECT_EQ(calibrate.rubric, "r.toml");
+    EXPECT_EQ(calibrate.seeds, 3);
+    EXPECT_EQ(calibrate.corpus, "c");
+    EXPECT_EQ(calibrate.classSize, 300);
+    EXPECT_TRUE(calibrate.freeze);
+    EXPECT_TRUE(std::holds_alternative<UsageMistake>(parseCommandLine({"calibrate"})));
+    const auto languageWith = [](const char *code) {
+        return std::get<GradeCommand>(parseCommandLine({"check", "a", "--lang", code})).language;
+    };
+    EXPECT_EQ(languageWith("es"), Language::Spanish);
+    EXPECT_EQ(languageWith("en"), Language::English);
+    EXPECT_TRUE(
+        std::holds_alternative<UsageMistake>(parseCommandLine({"check", "a", "--lang", "fr"})));
+}
+
 TEST(CommandLine, TakesAFileNameThatLooksLikeAnOptionAfterTwoDashes) {
     EXPECT_EQ(gradeCommand({"grade", "--", "-rf"}).paths,
               (std::vector<std::filesystem::path>{"-rf"}));

@@ -37,6 +37,26 @@ TEST(HtmlPage, AllowsNothingButItsOwnStyleSheet) {
         EXPECT_EQ(page.substr(0, page.find("<main>")).find(part), std::string::npos) << part;
 }
 
+TEST(HtmlPage, TellsHintsInBothLanguagesUpToTheStepThatStaffAllow) {
+    SubmissionResult result = support::sampleResult();
+    result.items[0].diagnoses = {{"disk.missing_sqrt", 1}};
+    const DiagnosisText &english = findDiagnosis("disk.missing_sqrt")->in(Language::English);
+    const DiagnosisText &spanish = findDiagnosis("disk.missing_sqrt")->in(Language::Spanish);
+    std::string page = htmlPage(result, kProvenance, Language::Spanish);
+    for (const DiagnosisText *text : {&english, &spanish}) {
+        EXPECT_NE(page.find(text->sentence), std::string::npos);
+        EXPECT_NE(page.find(text->hints[0]), std::string::npos);
+        EXPECT_EQ(page.find(text->hints[1]), std::string::npos);
+    }
+    EXPECT_NE(page.find("id=\"lang-es\" checked"), std::string::npos);
+    EXPECT_EQ(page.find("id=\"lang-en\" checked"), std::string::npos);
+    EXPECT_EQ(count(page, "<div"), count(page, "</div>"));
+    result.hintSteps = 0;
+    EXPECT_EQ(htmlPage(result, kProvenance).find(english.hints[0]), std::string::npos);
+    result.hintSteps = 3;
+    EXPECT_NE(htmlPage(result, kProvenance).find(spanish.hints[2]), std::string::npos);
+}
+
 TEST(ContentHash, MatchesAKnownDigest) {
     // printf '' | openssl dgst -sha256 -binary | base64
     EXPECT_EQ(contentHash(""), "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");

@@ -25,6 +25,26 @@ TEST(TerminalReport, LooksAsAgreed) {
               golden("terminal_report_78.txt"));
 }
 
+TEST(TerminalReport, HintsAsFarAsStaffAllowInTheLanguageThatIsAskedFor) {
+    SubmissionResult result = support::sampleResult();
+    result.items[0].diagnoses = {{"disk.missing_sqrt", 1}, {"disk.square", 0.6}};
+    const Diagnosis &diagnosis = *findDiagnosis("disk.missing_sqrt");
+    const std::string english = terminalReport(result, {});
+    EXPECT_NE(english.find("hint: " + result.items[0].id + ": " +
+                           diagnosis.in(Language::English).hints[0]),
+              std::string::npos)
+        << english;
+    EXPECT_EQ(english.find(diagnosis.in(Language::English).hints[1]), std::string::npos);
+    TerminalStyle style;
+    style.language = Language::Spanish;
+    result.hintSteps = 2;
+    const std::string spanish = terminalReport(result, style);
+    EXPECT_NE(spanish.find(diagnosis.in(Language::Spanish).sentence), std::string::npos);
+    EXPECT_NE(spanish.find(diagnosis.in(Language::Spanish).hints[1]), std::string::npos);
+    result.hintSteps = 0;
+    EXPECT_EQ(terminalReport(result, {}).find("hint:"), std::string::npos);
+}
+
 TEST(TerminalReport, GivesNoPointsForACheck) {
     SubmissionResult result = support::sampleResult();
     result.marked = false;

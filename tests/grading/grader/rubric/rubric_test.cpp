@@ -108,6 +108,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownPolicy", kHead + "extras = \"all\"\n" + kItem,
                 "r.toml:5:10: [assignment]: extras = \"all\" is unknown (known: fill-to-cap, "
                 "over-cap, ignore)"},
+        Mistake{"TooManyHints", kHead + "hints = 4\n" + kItem,
+                "r.toml:5:9: [assignment]: hints = 4 is out of range, must be from 0 to 3"},
+        Mistake{"HalfAHint", kHead + "hints = 1.5\n" + kItem,
+                "r.toml:5:9: [assignment]: hints = 1.5 is no whole number of steps"},
         Mistake{"NoSandbox", kHead + "min_sandbox = \"S0\"\n" + kItem,
                 "r.toml:5:15: [assignment]: min_sandbox = \"S0\" is unknown (known: S1, S2, S3)"},
         Mistake{"NoItems", kHead, "r.toml:1:1: rubric: no [[item]]: there is nothing to grade"},

@@ -131,8 +131,8 @@ TEST(ScoreItem, SaysWhatWasLostMost) {
     std::vector<CheckResult> outcomes = {outcome("a", Verdict::Fail, 0.02),
                                          outcome("b", Verdict::Fail, 0.9),
                                          outcome("c", Verdict::Fail, 5)};
-    outcomes[1].diagnosis = "Divide by the area.";
-    EXPECT_EQ(scoreItem(item, outcomes).reason, "About b. Divide by the area. And 2 checks more.");
+    outcomes[1].diagnoses = {{"mesh.pdf_zero"}};
+    EXPECT_EQ(scoreItem(item, outcomes).reason, "About b. Mesh::pdf returns 0. And 2 checks more.");
 }
 
 TEST(ScoreItem, NamesBothFilesThatAreMissing) {

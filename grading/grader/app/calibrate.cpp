@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <grader/app/frozen_rubric.h>
+#include <grader/app/interrupt.h>
+#include <grader/app/load_rubric.h>
+#include <grader/app/provenance.h>
+#include <grader/app/terminal.h>
+#include <grader/app/verbs.h>
+#include <grader/build/base.h>
+#include <grader/build/cache.h>
+#include <grader/calibration/corpus.h>
+#include <grader/calibration/judgement.h>
+#include <grader/calibration/measurements.h>
+#include <grader/digest.h>
+#include <grader/engine/engine.h>
+#include <grader/error.h>
+#include <grader/results/safe_text.h>
+#include <grader/scoring/points.h>
+#include <grader/text_file.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same in every call, so that what was measured can be used again.
+std::string seedOf(int round) {
+    return fmt::format("{:032x}", 0xca11b0 + round);
+}
+
+/// A folder that goes at the end.
+class WorkFolder {
+public:
+    WorkFolder() {
+        std::string name = (fs::temp_directory_path() / "norigrade-calibrate-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            throw GraderError(name + ": cannot make this folder");
+        m_path = name;
+    }
+
+    WorkFolder(const WorkFolder &) = delete;
+    WorkFolder(WorkFolder &&) = delete;
+    WorkFolder &operator=(const WorkFolder &) = delete;
+    WorkFolder &operator=(WorkFolder &&) = delete;
+
+    ~WorkFolder() {
+        std::error_code ignored;
+        fs::remove_all(m_path, ignored);
+    }
+
+    const fs::path &path() const { return m_path; }
+
+private:
+    fs::path m_path;
+};
+
+/// Measures hand-ins, or remembers what was measured of them.
+class Measurer {
+public:
+    Measurer(const CalibrateCommand &command, const Rubric &rubric, const Sandbox &sandbox,
+             const std::atomic<bool> &interrupted)
+        : m_command(command),
+          m_rubric(rubric),
+          m_sandbox(sandbox),
+          m_interrupted(interrupted),
+          // Whatever is built anew measures anew.
+          m_program(sha256Hex(readTextFile("/proc/self/exe"))) {
+        for (const RubricItem &item : rubric.items)
+            m_program += "|" + item.id;
+    }
+
+    std::vector<CheckResult> measure(const CorpusCase &which, int round,
+                                     const ProgressCallback &progress) {
+        const WorkFolder work;
+        const fs::path folder = work.path() / "hand-in";
+        composeCase(which, folder);
+        const Submission submission = readSubmission(folder);
+        const std::string digest =
+            sha256Hex(m_program + "|" + submission.digest + "|" + seedOf(round));
+        const fs::path file = m_cache.entry("calibrations", digest, ".json");
+        if (auto known = readMeasurements(file))
+            return *known;
+        Engine engine(m_sandbox, {.seedHex = seedOf(round),
+                                  .jobs = m_command.jobs,
+                                  .rubric = &m_rubric,
+                                  .asked = &m_rubric,
+                                  .interrupted = &m_interrupted});
+        std::vector<CheckResult> outcomes;
+        for (const ItemResult &item : engine.grade(submission, progress).items)
+            outcomes.insert(outcomes.end(), item.checks.begin(), item.checks.end());
+        const bool ours = std::any_of(outcomes.begin(), outcomes.end(), [](const auto &check) {
+            return check.verdict == Verdict::Infra;
+        });
+        if (!ours)
+            writeMeasurements(file, outcomes);
+        ++m_measured;
+        return outcomes;
+    }
+
+    std::size_t measured() const { return m_measured; }
+
+private:
+    const CalibrateCommand &m_command;
+    const Rubric &m_rubric;
+    const Sandbox &m_sandbox;
+    const std::atomic<bool> &m_interrupted;
+    std::string m_program;
+    Cache m_cache;
+    std::size_t m_measured = 0;
+};
+
+void printBound(const Rubric &rubric, int classSize) {
+    const FalseAlarmBound bound = composeBound(rubric, checkTable(), classSize);
+    fmt::print(
+        "false alarms: composed, not measured: {} checks at 1e-13 each (three stages at 1e-4, "
+        "1e-4 and 1e-5) give at most {:.1e} per hand-in, {:.1e} for {} hand-ins\n",
+        bound.checks, bound.perHandIn, bound.perClass, classSize);
+    if (!bound.unbounded.empty())
+        fmt::print("  not in it, because they decide by a fixed tolerance: {}\n",
+                   fmt::join(bound.unbounded, ", "));
+}
+
+/// Items that no hand-in of the corpus can lose: nothing is known of them.
+std::vector<std::string> untriedItems(const Rubric &rubric, const std::vector<CorpusCase> &cases) {
+    std::vector<std::string> items;
+    for (const RubricItem &item : rubric.items) {
+        const bool tried = std::any_of(cases.begin(), cases.end(), [&](const CorpusCase &each) {
+            return std::find(each.lost.begin(), each.lost.end(), item.id) != each.lost.end();
+        });
+        if (!tried)
+            items.push_back(item.id);
+    }
+    return items;
+}
+
+/// Wrong hand-ins whose mistake is in no item of the rubric say nothing of it.
+void dropForeign(const Rubric &rubric, std::vector<CorpusCase> &cases) {
+    const auto isKnown = [&](const std::string &id) {
+        return std::any_of(rubric.items.begin(), rubric.items.end(),
+                           [&](const RubricItem &item) { return item.id == id; });
+    };
+    cases.erase(std::remove_if(cases.begin(), cases.end(),
+                               [&](const CorpusCase &each) {
+                                   return !each.lost.empty() &&
+                                          std::none_of(each.lost.begin(), each.lost.end(), isKnown);
+                               }),
+                cases.end());
+}
+
+ExitCode finish(const CalibrateCommand &command, const Rubric &rubric,
+                const std::vector<CorpusCase> &cases, std::size_t wrong) {
+    printBound(rubric, command.classSize);
+    const std::vector<std::string> untried = untriedItems(rubric, cases);
+    for (const std::string &item : untried)
+        fmt::print("{}: no hand-in with a mistake in it was tried\n", item);
+    fmt::print("{} of {} hand-ins are told apart as they must be\n", cases.size() - wrong,
+               cases.size());
+    if (wrong > 0 || (command.freeze && (!untried.empty() || !command.only.empty()))) {
+        if (command.freeze)
+            complain("not frozen: " +
+                     std::string(wrong > 0 ? "the rubric does not tell all hand-ins apart"
+                                           : "not every item was tried on the whole corpus"));
+        return ExitCode::CheckFailed;
+    }
+    if (command.freeze) {
+        freezeRubric(command.rubric, provenanceOf(rubric), cases.size(), command.seeds);
+        fmt::print("{}: written\n", frozenFile(command.rubric).string());
+    }
+    return ExitCode::Done;
+}
+
+ExitCode calibrate(const CalibrateCommand &command, const Rubric &rubric,
+                   const std::vector<CorpusCase> &cases) {
+    const std::atomic<bool> &interrupted = catchInterrupts();
+    const Sandbox sandbox;
+    Measurer measurer(command, rubric, sandbox, interrupted);
+    ProgressLine progress(true);
+    const auto start = std::chrono::steady_clock::now();
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const CorpusCase &which = cases[i];
+        std::vector<std::string> findings;
+        for (int round = 0; round < command.seeds && findings.empty(); ++round) {
+            const double seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            const std::string left = i > 0 ? fmt::format(", about {:.0f} min left",
+                                                         seconds / 60 / static_cast<double>(i) *
+                                                             static_cast<double>(cases.size() - i))
+                                           : "";
+            const std::string what =
+                fmt::format("{}/{}{} {}", i + 1, cases.size(), left, which.name);
+            try {
+                const std::vector<CheckResult> outcomes =
+                    measurer.measure(which, round, [&](std::string_view phase, double fraction) {
+                        progress.update(what, phase, fraction);
+                    });
+                findings = judgeCase(rubric, which, outcomes);
+            } catch (const Interrupted &) {
+                progress.clear();
+                complain(fmt::format("interrupted: {} of {} done; what was measured is kept, a "
+                                     "second call goes on",
+                                     i, cases.size()));
+                return ExitCode::Interrupted;
+            }
+        }
+        progress.clear();
+        wrong += findings.empty() ? 0 : 1;
+        fmt::print("{} {}\n", findings.empty() ? "ok  " : "MISS", safeLine(which.name));
+        for (const std::string &finding : findings)
+            fmt::print("       {}\n", safeLine(finding));
+        std::fflush(stdout);
+    }
+    return finish(command, rubric, cases, wrong);
+}
+
+} // namespace
+
+ExitCode run(const CalibrateCommand &command) {
+    Rubric rubric;
+    std::vector<CorpusCase> cases;
+    try {
+        rubric = loadRubric(command.rubric);
+        cases = readCorpus(command.corpus.empty() ? projectFolder() / "tests" : command.corpus,
+                           command.only);
+        dropForeign(rubric, cases);
+    } catch (const GraderError &error) {
+        return run(UsageMistake{error.what()});
+    }
+    try {
+        return calibrate(command, rubric, cases);
+    } catch (const SandboxTooWeak &error) {
+        complain(error.what());
+        return ExitCode::SandboxTooLow;
+    }
+}
+
+} // namespace grader

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "calibrate_options.h"
+
+#include <cstdlib>
+
+namespace grader {
+
+namespace {
+
+constexpr char kCalibrateExamples[] = R"(
+Grades right and wrong hand-ins of the project: right ones must keep every point, a wrong one must
+lose on the item of its mistake and on no other. What was measured is kept: with other weights a
+second call only adds up again. Also says what the chance of a false alarm in a class is composed of.
+Exit code 1: the rubric does not tell them apart, and nothing is frozen.
+
+Examples:
+  norigrade calibrate my-rubric.toml --only wrong/
+  norigrade calibrate my-rubric.toml --seeds 3 --freeze)";
+
+} // namespace
+
+Language languageOf(const std::string &code) {
+    std::string wanted = code;
+    for (const char *name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char *value = std::getenv(name);
+        if (wanted == "auto" && value != nullptr && *value != '\0')
+            wanted = value;
+    }
+    return wanted.rfind("es", 0) == 0 ? Language::Spanish : Language::English;
+}
+
+const CLI::App *addCalibrate(CLI::App &program, CalibrateCommand &command) {
+    constexpr int kMostSeeds = 1000;
+    constexpr int kLargestClass = 100'000;
+    CLI::App *verb = program.add_subcommand(
+        "calibrate", "Try a rubric on hand-ins whose mistakes are known, before it is used");
+    verb->add_option("RUBRIC", command.rubric, "TOML file")->required()->type_name("");
+    verb->add_option("--corpus", command.corpus,
+                     "Folder with submissions/, mutants/ and variants/ (default: tests/ of the "
+                     "source tree that the program was built from)")
+        ->type_name("DIR");
+    verb->add_option("--only", command.only, "Only hand-ins with this text in their name")
+        ->type_name("TEXT");
+    verb->add_option("--seeds", command.seeds,
+                     "Random numbers that each is graded with (default: 1)")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostSeeds));
+    verb->add_option("--jobs", command.jobs, "Processes at the same time (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostJobs));
+    verb->add_option("--class-size", command.classSize,
+                     "Hand-ins that the bound on false alarms is for (default: 300)")
+        ->type_name("N")
+        ->check(CLI::Range(1, kLargestClass));
+    verb->add_flag("--freeze", command.freeze,
+                   "If all is well, write RUBRIC.frozen, which `grade` compares with the rubric");
+    verb->footer(kCalibrateExamples);
+    return verb;
+}
+
+} // namespace grader
