@@ -65,12 +65,43 @@ RadianceCase onFloor(Room &room) {
     return test;
 }
 
+/// One light is picked with probability p, and what it sends is not divided by p, or multiplied by
+/// it: then light i counts p_i or p_i^2 times. p goes with the luminance of the power, or its mean.
+/// \param lights  what each light sends along each ray
+std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> &lights,
+                                       const std::vector<Vector3d> &intensities) {
+    std::vector<Hypothesis> mistakes;
+    for (const Vector3d &weights : {Vector3d(0.212671, 0.715160, 0.072169), Vector3d(1, 1, 1)}) {
+        double sum = 0;
+        for (const Vector3d &intensity : intensities)
+            sum += weights.dot(intensity);
+        Hypothesis forgotten{"ems.pick_pdf_forgotten", {}};
+        Hypothesis multiplied{"ems.pick_pdf_multiplied", {}};
+        for (std::size_t k = 0; k < lights.front().size(); ++k) {
+            Vector3d once = Vector3d::Zero();
+            Vector3d twice = Vector3d::Zero();
+            for (std::size_t i = 0; i < lights.size(); ++i) {
+                const double p = weights.dot(intensities[i]) / sum;
+                once += p * lights[i][k];
+                twice += p * p * lights[i][k];
+            }
+            forgotten.expected.push_back(once);
+            multiplied.expected.push_back(twice);
+        }
+        mistakes.push_back(std::move(forgotten));
+        mistakes.push_back(std::move(multiplied));
+    }
+    return mistakes;
+}
+
 RadianceCase pointLights(std::uint64_t seed) {
     Room room(seed);
     RadianceCase test = onFloor(room);
     test.expected.assign(test.rays.size(), Vector3d::Zero());
     constexpr int kLights = 5;
     test.diagnoses.lightCount = kLights;
+    std::vector<std::vector<Vector3d>> lights(kLights);
+    std::vector<Vector3d> intensities;
     Hypothesis noCosine{"ems.no_cosine", test.expected};
     Hypothesis cosineTwice{"ems.cosine_twice", test.expected};
     for (int i = 0; i < kLights; ++i) {
@@ -78,17 +109,21 @@ RadianceCase pointLights(std::uint64_t seed) {
                                               room.random.uniform(-0.8, 0.8), 1.2 + 0.1 * i});
         const Vector3d intensity = room.random.color(1, 6);
         room.scene.addPointLight(position, intensity.cast<float>().cast<double>());
+        intensities.push_back(intensity);
         for (std::size_t k = 0; k < test.rays.size(); ++k) {
             const Vector3d point = hitPoint(test.rays[k], room.floor);
             const Vector3d right = reflectedFromPoint(room, point, position, intensity);
             const double cosine =
                 room.floor.geometricNormal(0).dot((position - point).normalized());
             test.expected[k] += right;
+            lights[i].push_back(right);
             noCosine.expected[k] += right / cosine;
             cosineTwice.expected[k] += right * cosine;
         }
     }
-    test.diagnoses.hypotheses = {std::move(noCosine), std::move(cosineTwice)};
+    test.diagnoses.hypotheses = choiceMistakes(lights, intensities);
+    test.diagnoses.hypotheses.push_back(std::move(noCosine));
+    test.diagnoses.hypotheses.push_back(std::move(cosineTwice));
     test.files = room.scene.files();
     return test;
 }
@@ -286,12 +321,14 @@ std::vector<Check> directEmsChecks() {
         row(
             "visible_light", "A light that is seen shows its radiance.",
             [](std::uint64_t seed) { return visibleLight(seed, false); }, experimentWithSides),
-        row("environment", "An environment map lights a scene as in our own estimator.",
+        row(
+            "environment", "An environment map lights a scene as in our own estimator.",
             [](std::uint64_t seed) {
                 RadianceCase test = image("sky", seed, 512);
                 test.tilePassBound = 0.25;
                 return test;
-            }),
+            },
+            experimentWithShadows),
         row("background", "Where nothing is hit, the environment is seen.", background),
         row(
             "light_behind", "A light seen from behind is dark.",

@@ -163,20 +163,41 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     if (!isAtFault(first.verdict) || (!excusable && !mayDisagree))
         return first;
     CheckResult best = first;
+    bool onlyChoice = false; // passes only where our Scene chooses the lights
     for (const VariantPlan &plan : followThroughPlans(group)) {
         CheckResult result = runOn(check, variant(plan, group));
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
-        if (best.verdict == Verdict::Pass)
+        if (best.verdict == Verdict::Pass) {
+            const auto scene = plan.origins.find(kSceneUnit);
+            onlyChoice = scene != plan.origins.end() && scene->second == Origin::Starter;
             break;
+        }
     }
     if (excusable)
         return best;
+    if (onlyChoice) {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_chosenWrongly.emplace(check.id, std::move(first));
+        return best;
+    }
     if (best.verdict == Verdict::Pass) {
         first.diagnoses.push_back({"ems.convention", 0.8});
         tellDiagnoses(first);
     }
     return first;
+}
+
+void CheckRunner::settle(std::vector<CheckResult> &results) const {
+    const bool charged = std::any_of(kChoiceGroups.begin(), kChoiceGroups.end(),
+                                     [&](const char *id) { return m_atFault.count(id) != 0; });
+    if (charged)
+        return;
+    for (CheckResult &result : results) {
+        const auto found = m_chosenWrongly.find(result.id);
+        if (found != m_chosenWrongly.end())
+            result = found->second;
+    }
 }
 
 std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
@@ -225,7 +246,8 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
     if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
         m_endless.insert(group.id);
     for (const CheckResult &result : results) {
-        if (isAtFault(result.verdict))
+        // With an integrator under suspicion the choice is judged with ours, too.
+        if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
             m_atFault.insert(group.id);
     }
     return results;

@@ -25,6 +25,10 @@ public:
     std::vector<CheckResult> runGroup(const Group &group, const std::vector<const Check *> &checks,
                                       const std::function<void()> &checkDone);
 
+    /// After all groups: an integrator that is right with our Scene only is excused where the
+    /// checks of the choice of lights have failed, and charged where they have not.
+    void settle(std::vector<CheckResult> &results) const;
+
     /// Whether a check of any group that was run has failed.
     bool foundFault() const { return !m_atFault.empty(); }
 
@@ -42,9 +46,10 @@ private:
     std::filesystem::path m_referenceProbe;
     VariantBuilder &m_builder;
     std::string m_digest;
-    std::map<std::string, Variant> m_variants; ///< by group and plan name
-    std::mutex m_mutex;                        ///< of m_variants
-    std::set<std::string> m_atFault;           ///< groups with a check that failed
+    std::map<std::string, Variant> m_variants;          ///< by group and plan name
+    std::map<std::string, CheckResult> m_chosenWrongly; ///< with the hand-in's Scene, by check id
+    std::mutex m_mutex;                                 ///< of m_variants and m_chosenWrongly
+    std::set<std::string> m_atFault;                    ///< groups with a check that failed
     std::set<std::string> m_endless; ///< ids of groups with a check that ran into a time limit
     std::atomic<double> m_sampleSeconds{0};
 };

@@ -12,8 +12,6 @@ namespace {
 /// Of Assignment 1: not judged, but used where it was handed in.
 const std::vector<std::string> kGivenUnits = {"pointlight.cpp", "direct_whitted.cpp"};
 
-constexpr char kSceneUnit[] = "scene.cpp";
-
 std::set<std::string> upstreamUnits(const Group &group) {
     std::set<std::string> units;
     for (const std::string &id : group.upstream) {

@@ -3,10 +3,14 @@
 
 #include <grader/build/variant_builder.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace grader {
+
+/// Chooses lights.
+inline constexpr char kSceneUnit[] = "scene.cpp";
 
 /// The files that a set of checks judges, and what they stand on.
 struct Group {
@@ -14,6 +18,9 @@ struct Group {
     std::vector<std::string> own;      ///< the files that are judged
     std::vector<std::string> upstream; ///< groups whose code they call
 };
+
+/// The groups that judge how Scene chooses lights.
+inline constexpr std::array<const char *, 2> kChoiceGroups = {"scene", "importance"};
 
 /// In an order in which every group comes after its upstream.
 const std::vector<Group> &groupTable();
