@@ -60,6 +60,33 @@ CheckResult judgeChoice(CheckContext &context) {
     return result;
 }
 
+/// Lights that are never chosen are missing from the image.
+CheckResult judgeEveryLight(CheckContext &context) {
+    const LightChoice choice = measureEveryKind(context);
+    if (choice.failure)
+        return *choice.failure;
+    if (choice.recognised < 0.99)
+        return noChoice();
+    if (choice.isUniform())
+        return uniformChoice();
+    const auto isMissing = [&](std::size_t light) {
+        return choice.frequencies[light] == 0;
+    };
+    const auto missing = std::count(choice.frequencies.begin(), choice.frequencies.end(), 0.0);
+    const bool noMeshes = isMissing(kFirstMesh) && isMissing(kSecondMesh);
+    CheckResult result = makeResult(
+        missing == 0 ? Verdict::Pass : Verdict::Fail,
+        fmt::format("Of a point light, two area lights and an environment {} {} never chosen.",
+                    missing == 0 ? "none" : fmt::format("{}", missing),
+                    missing > 1 ? "are" : "is"));
+    result.effect = static_cast<double>(missing) / kKinds;
+    if (noMeshes && missing == 2)
+        result.diagnoses = {{"importance.built_too_early"}, {"importance.light_missing", 0.5}};
+    else
+        result.diagnoses = {{"importance.light_missing"}};
+    return result;
+}
+
 CheckResult judgeUnbiased(CheckContext &context) {
     const LightChoice choice = measureChoice(context);
     if (choice.failure)
@@ -187,6 +214,7 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
 std::vector<Check> importanceChecks() {
     return {
         row("choice", "direct_ems chooses lights in proportion to their radiance.", judgeChoice),
+        row("every_light", "Lights of every kind are chosen.", judgeEveryLight),
         row("unbiased", "The mean is right although lights are not chosen alike.", judgeUnbiased),
         row("improvement", "The noise falls as much as the choice of lights promises.",
             judgeImprovement),

@@ -19,13 +19,19 @@ struct LightChoice {
     /// Of each light to each ray, if it is chosen with certainty; shape [rays][lights].
     std::vector<std::vector<Vector3d>> contributions;
     std::vector<double> frequencies; ///< per light, of the recognised samples
-    double recognised = 0;           ///< part of the samples that come from one light
+    double recognised = 0; ///< part of the samples with light in them that come from one light
     std::optional<CheckResult> failure;
 
     bool isUniform() const;
 };
 
 LightChoice measureChoice(CheckContext &context);
+
+/// The lights of measureEveryKind(), by index.
+constexpr std::size_t kPoint = 0, kFirstMesh = 1, kSecondMesh = 2, kEnvironment = 3, kKinds = 4;
+
+/// The same of a scene with lights of all kinds; without a closed form and contributions.
+LightChoice measureEveryKind(CheckContext &context);
 
 /// Seven lights of one intensity, where a choice by radiance is a uniform one: nothing is measured.
 LightChoice equalLights(std::uint64_t seed);
