@@ -10,9 +10,9 @@ namespace {
 
 /// Where the centre of a column (axis 0) or row (axis 1) is.
 double centre(const battery::Maps &maps, std::size_t axis, int index) {
-    const battery::Chart &chart = maps.chart;
-    return chart.low.at(axis) +
-           (chart.high.at(axis) - chart.low.at(axis)) * (index + 0.5) / maps.side;
+    const battery::DomainMap &domain = maps.domain;
+    return domain.low.at(axis) +
+           (domain.high.at(axis) - domain.low.at(axis)) * (index + 0.5) / maps.side;
 }
 
 double parameterOf(const viewer::Tested &test) {
@@ -67,8 +67,8 @@ std::string json(const std::vector<viewer::Tested> &tests) {
                             {"parameter", parameterOf(test)},
                             {"rows", maps.side},
                             {"points", maps.points},
-                            {"x", {maps.chart.low[0], maps.chart.high[0]}},
-                            {"y", {maps.chart.low[1], maps.chart.high[1]}},
+                            {"x", {maps.domain.low[0], maps.domain.high[0]}},
+                            {"y", {maps.domain.low[1], maps.domain.high[1]}},
                             {"observed", maps.observed},
                             {"expected", maps.expected}});
     }

@@ -15,19 +15,19 @@ std::size_t cellCount(int side) {
 }
 
 /// Integral of the density over each cell by the midpoint rule. For directions the steps crowd
-/// below the upper edge (t^4), since a narrow lobe lies within a ten-thousandth of the chart there.
-std::vector<double> cellMasses(const catalog::WarpEntry &truth, const Chart &chart, double a,
+/// below the upper edge (t^4), since a narrow lobe lies within a ten-thousandth of the map there.
+std::vector<double> cellMasses(const catalog::WarpEntry &truth, const DomainMap &domain, double a,
                                int side) {
     const std::size_t cells = cellCount(side);
     const auto columns = static_cast<std::size_t>(side);
-    const int across = chart.directions ? 4 : 24;
-    const int up = chart.directions ? 256 : 24;
-    const double area = chart.measure() / (static_cast<double>(cells) * across * up);
+    const int across = domain.directions ? 4 : 24;
+    const int up = domain.directions ? 256 : 24;
+    const double area = domain.measure() / (static_cast<double>(cells) * across * up);
     const auto fromTop = [&](double t) {
-        return chart.directions ? t * t * t * t : t;
+        return domain.directions ? t * t * t * t : t;
     };
     const auto slope = [&](double t) {
-        return chart.directions ? 4.0 * t * t * t : 1.0;
+        return domain.directions ? 4.0 * t * t * t : 1.0;
     };
     std::vector<double> masses(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -38,8 +38,8 @@ std::vector<double> cellMasses(const catalog::WarpEntry &truth, const Chart &cha
             for (int j = 0; j < up; ++j) {
                 const double t = (j + 0.5) / up;
                 const catalog::Point p =
-                    chart.point({(static_cast<double>(column) + (i + 0.5) / across) / side,
-                                 (static_cast<double>(row) + 1.0 - fromTop(t)) / side});
+                    domain.point({(static_cast<double>(column) + (i + 0.5) / across) / side,
+                                  (static_cast<double>(row) + 1.0 - fromTop(t)) / side});
                 sum += truth.density(p, a) * slope(t);
             }
         }
@@ -52,7 +52,7 @@ std::vector<double> cellMasses(const catalog::WarpEntry &truth, const Chart &cha
 
 int cellAt(const std::array<double, 2> &place, int side) {
     const auto index = [side](double x) {
-        // the upper edge belongs to the chart: cos(theta) may be 1
+        // the upper edge belongs to the map: cos(theta) may be 1
         return x >= 0.0 && x <= 1.0 ? std::min(static_cast<int>(x * side), side - 1) : -1;
     };
     const int column = index(place[0]);
@@ -63,7 +63,7 @@ int cellAt(const std::array<double, 2> &place, int side) {
 Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double> observed,
                   std::size_t points) {
     Maps maps;
-    maps.chart = makeChart(truth);
+    maps.domain = makeDomainMap(truth);
     maps.side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(observed.size()))));
     const std::size_t cells = cellCount(maps.side);
     if (observed.empty() || observed.size() != cells) {
@@ -76,7 +76,7 @@ Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double>
         inside += count;
     }
     maps.outside = points - std::min(points, static_cast<std::size_t>(inside));
-    maps.expected = cellMasses(truth, maps.chart, a, maps.side);
+    maps.expected = cellMasses(truth, maps.domain, a, maps.side);
     maps.residual.assign(cells, 0.0);
     maps.sparse.assign(cells, false);
     for (std::size_t i = 0; i < cells; ++i) {
@@ -93,10 +93,10 @@ Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double>
 
 Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output> outputs,
               int side) {
-    const Chart chart = makeChart(truth);
+    const DomainMap domain = makeDomainMap(truth);
     std::vector<double> observed(cellCount(side), 0.0);
     for (const Output &output : outputs) {
-        const int cell = cellAt(chart.place(toPoint(output)), side);
+        const int cell = cellAt(domain.place(toPoint(output)), side);
         if (cell >= 0) {
             observed[static_cast<std::size_t>(cell)] += 1.0;
         }

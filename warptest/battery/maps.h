@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <cstddef>
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace battery {
 
-/// Observed and expected numbers of points in the cells of a chart, shape [side, side],
-/// row 0 at the chart's lower edge.
+/// Observed and expected numbers of points in the cells of a domain map, shape [side, side],
+/// row 0 at the map's lower edge.
 struct Maps {
-    Chart chart;
+    DomainMap domain;
     int side = 0; ///< columns, and rows
     std::size_t points = 0;
     std::size_t outside = 0; ///< points in no cell

@@ -58,14 +58,14 @@ std::string cells(int side, const std::function<std::string(std::size_t)> &color
 
 std::string figure(const battery::Maps &maps, const std::string &name, const std::string &label,
                    const std::function<std::string(std::size_t)> &colorOf) {
-    const battery::Chart &chart = maps.chart;
+    const battery::DomainMap &domain = maps.domain;
     return fmt::format(
         "<figure class=\"map\"><figcaption><strong>{}</strong></figcaption>\n"
         "<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" stroke-width=\".15\" "
         "preserveAspectRatio=\"none\">{}</svg>\n"
         "<p>{} {:.3g} … {:.3g} →<br>{} {:.3g} … {:.3g} ↑</p></figure>\n",
-        name, label, maps.side, maps.side, cells(maps.side, colorOf), chart.xLabel, chart.low[0],
-        chart.high[0], chart.yLabel, chart.low[1], chart.high[1]);
+        name, label, maps.side, maps.side, cells(maps.side, colorOf), domain.xLabel, domain.low[0],
+        domain.high[0], domain.yLabel, domain.low[1], domain.high[1]);
 }
 
 /// A bar of all colours with its ends in words.
@@ -97,11 +97,12 @@ std::string placeOf(const battery::Maps &maps, std::size_t cell) {
     const std::array<std::size_t, 2> index{cell % side, cell / side};
     std::array<double, 2> at{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double low = maps.chart.low.at(axis);
-        at.at(axis) = low + (maps.chart.high.at(axis) - low) *
+        const double low = maps.domain.low.at(axis);
+        at.at(axis) = low + (maps.domain.high.at(axis) - low) *
                                 (static_cast<double>(index.at(axis)) + 0.5) / maps.side;
     }
-    return fmt::format("{} {:.3f}, {} {:.3f}", maps.chart.xLabel, at[0], maps.chart.yLabel, at[1]);
+    return fmt::format("{} {:.3f}, {} {:.3f}", maps.domain.xLabel, at[0], maps.domain.yLabel,
+                       at[1]);
 }
 
 std::string mapFigures(const battery::Maps &maps) {
@@ -124,7 +125,7 @@ std::string mapFigures(const battery::Maps &maps) {
     html += colorBar("−4 σ: too few", "+4 σ: too many",
                      [](double t) { return residualColor(kResidualRange * (2.0 * t - 1.0)); });
     html += fmt::format(
-        "<p>{} independent points in {}×{} cells, {} outside of the chart; grey: fewer than {:.0f} "
+        "<p>{} independent points in {}×{} cells, {} outside of the map; grey: fewer than {:.0f} "
         "expected. The largest residual is {:+.1f} σ at {}: {:.0f} observed, {:.1f} "
         "expected.</p>\n",
         maps.points, maps.side, maps.side, maps.outside, battery::kMinExpected,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "point_picture.h"
 
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <fmt/format.h>
 
@@ -64,17 +64,17 @@ std::string pointPictures(const catalog::WarpEntry &truth, std::span<const batte
                           std::span<const battery::Output> outputs, const std::string &pointSet) {
     const std::size_t count = std::min(inputs.size(), outputs.size());
     const std::size_t step = std::max<std::size_t>(1, (count + kMostPoints - 1) / kMostPoints);
-    const battery::Chart chart = battery::makeChart(truth);
+    const battery::DomainMap domain = battery::makeDomainMap(truth);
     std::string html = "<div class=\"maps\">\n";
     html += picture("Samples: " + pointSet, count, step, [&](std::size_t i) {
         return Drawn{static_cast<double>(inputs[i].u), static_cast<double>(inputs[i].v)};
     });
-    html += picture(chart.directions ? "Directions, from above and aside" : "Points", count, step,
+    html += picture(domain.directions ? "Directions, from above and aside" : "Points", count, step,
                     [&](std::size_t i) {
                         const catalog::Point p = battery::toPoint(outputs[i]);
-                        if (chart.directions)
+                        if (domain.directions)
                             return project(p);
-                        const std::array<double, 2> at = chart.place(p);
+                        const std::array<double, 2> at = domain.place(p);
                         return Drawn{at[0], at[1]};
                     });
     return html + "</div>\n";

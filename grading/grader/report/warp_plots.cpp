@@ -124,8 +124,8 @@ InlinePlot slicePlot(const battery::Maps &maps, std::size_t axis) {
     const auto side = static_cast<std::size_t>(maps.side);
     const std::size_t column = cell % side;
     const std::size_t row = cell / side;
-    const double low = maps.chart.low.at(axis);
-    const double width = (maps.chart.high.at(axis) - low) / maps.side;
+    const double low = maps.domain.low.at(axis);
+    const double width = (maps.domain.high.at(axis) - low) / maps.side;
     Layer observed{"observed ±1 σ", Form::Errors, {}};
     Layer expected{"expected", Form::Line, {}};
     for (std::size_t i = 0; i < side; ++i) {
@@ -137,8 +137,8 @@ InlinePlot slicePlot(const battery::Maps &maps, std::size_t axis) {
         expected.points.push_back({x, maps.expected[at]});
     }
     return {fmt::format("Counts along {} through the worst cell",
-                        axis == 0 ? maps.chart.xLabel : maps.chart.yLabel),
-            axis == 0 ? maps.chart.xLabel : maps.chart.yLabel,
+                        axis == 0 ? maps.domain.xLabel : maps.domain.yLabel),
+            axis == 0 ? maps.domain.xLabel : maps.domain.yLabel,
             "points in a cell",
             {expected, observed}};
 }

@@ -80,7 +80,7 @@ void MapPlot::upload() {
 
 void MapPlot::drawMap(std::size_t which, float side) {
     const Picture &picture = kPictures.at(which);
-    const battery::Chart &chart = m_maps->chart;
+    const battery::DomainMap &domain = m_maps->domain;
     ImGui::BeginGroup();
     ImGui::TextUnformatted(picture.title);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -104,7 +104,7 @@ void MapPlot::drawMap(std::size_t which, float side) {
     ImGui::GetWindowDrawList()->AddRect(corner, ImVec2(corner.x + unit, corner.y + unit),
                                         ImGui::GetColorU32(window::palette().fail), 0.0F, 0, 2.0F);
     const std::string axis =
-        fmt::format("{} {:.3g} … {:.3g}", chart.xLabel, chart.low[0], chart.high[0]);
+        fmt::format("{} {:.3g} … {:.3g}", domain.xLabel, domain.low[0], domain.high[0]);
     ImGui::TextDisabled("%s", axis.c_str());
     ImGui::EndGroup();
 }
@@ -112,13 +112,14 @@ void MapPlot::drawMap(std::size_t which, float side) {
 void MapPlot::drawCellText() const {
     const auto i = static_cast<std::size_t>(m_cell[1]) * static_cast<std::size_t>(m_maps->side) +
                    static_cast<std::size_t>(m_cell[0]);
-    const battery::Chart &chart = m_maps->chart;
+    const battery::DomainMap &domain = m_maps->domain;
     const auto coordinate = [&](std::size_t axis) {
-        return chart.low.at(axis) + (chart.high.at(axis) - chart.low.at(axis)) *
-                                        (static_cast<double>(m_cell.at(axis)) + 0.5) / m_maps->side;
+        return domain.low.at(axis) + (domain.high.at(axis) - domain.low.at(axis)) *
+                                         (static_cast<double>(m_cell.at(axis)) + 0.5) /
+                                         m_maps->side;
     };
-    const std::string place = fmt::format("{} {:.3f}, {} {:.3f}", chart.xLabel, coordinate(0),
-                                          chart.yLabel, coordinate(1));
+    const std::string place = fmt::format("{} {:.3f}, {} {:.3f}", domain.xLabel, coordinate(0),
+                                          domain.yLabel, coordinate(1));
     ImGui::TextUnformatted(place.c_str());
     const std::string residual =
         m_maps->sparse[i] ? fmt::format("fewer than {:.0f} expected", battery::kMinExpected)
@@ -166,7 +167,7 @@ void MapPlot::draw(const std::shared_ptr<const battery::Maps> &maps, float side)
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
     const std::string legend =
-        fmt::format("{} points, {} outside of the chart; grey: fewer than {:.0f} expected",
+        fmt::format("{} points, {} outside of the map; grey: fewer than {:.0f} expected",
                     m_maps->points, m_maps->outside, battery::kMinExpected);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled("%s", legend.c_str());

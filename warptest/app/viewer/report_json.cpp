@@ -47,12 +47,12 @@ Json distributionJson(const battery::TestResult &result) {
 }
 
 Json mapsJson(const battery::Maps &maps) {
-    const battery::Chart &chart = maps.chart;
+    const battery::DomainMap &domain = maps.domain;
     return {{"rows", maps.side},
             {"points", maps.points},
             {"outside", maps.outside},
-            {"x", {{"name", chart.xLabel}, {"low", chart.low[0]}, {"high", chart.high[0]}}},
-            {"y", {{"name", chart.yLabel}, {"low", chart.low[1]}, {"high", chart.high[1]}}},
+            {"x", {{"name", domain.xLabel}, {"low", domain.low[0]}, {"high", domain.high[0]}}},
+            {"y", {{"name", domain.yLabel}, {"low", domain.low[1]}, {"high", domain.high[1]}}},
             {"observed", maps.observed},
             {"expected", maps.expected}};
 }

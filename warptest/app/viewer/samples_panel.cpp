@@ -103,11 +103,12 @@ void SamplesPanel::uploadSpace(ViewModel &model) {
     m_spaceRevision = model.revision();
 }
 
-void SamplesPanel::uploadFlat(ViewModel &model, Brush::View which, const battery::Chart &chart) {
+void SamplesPanel::uploadFlat(ViewModel &model, Brush::View which,
+                              const battery::DomainMap &domain) {
     const LineColors colors = lineColors();
     FlatView &view = m_flat.at(static_cast<std::size_t>(which));
-    view.points.setPoints(flatPoints(model, which, chart, colors));
-    view.points.setLines(flatLines(model, which, chart, colors));
+    view.points.setPoints(flatPoints(model, which, domain, colors));
+    view.points.setLines(flatLines(model, which, domain, colors));
 }
 
 void SamplesPanel::drawTurnButtons(bool directions) {
@@ -157,15 +158,15 @@ void SamplesPanel::drawSpace(ViewModel &model, const window::Frame &frame) {
     const bool directions = model.subject().truth->dimension == 3;
     if (m_warp != model.settings().warp) {
         m_warp = model.settings().warp;
-        const battery::Chart chart = battery::makeChart(*model.subject().truth);
+        const battery::DomainMap domain = battery::makeDomainMap(*model.subject().truth);
         const auto middle = [&](std::size_t axis) {
-            return static_cast<float>((chart.low.at(axis) + chart.high.at(axis)) / 2.0);
+            return static_cast<float>((domain.low.at(axis) + domain.high.at(axis)) / 2.0);
         };
         if (directions) {
             m_ball.setCenter({0.0F, 0.0F, middle(1) * 0.8F}, 1.35F);
         } else {
             m_ball.setCenter({middle(0), middle(1), 0.0F},
-                             static_cast<float>(chart.high[0] - chart.low[0]) * 0.78F);
+                             static_cast<float>(domain.high[0] - domain.low[0]) * 0.78F);
         }
         m_ball.reset(directions);
     }
@@ -208,9 +209,9 @@ void SamplesPanel::drawSpace(ViewModel &model, const window::Frame &frame) {
 
 void SamplesPanel::drawFlat(ViewModel &model, const window::Frame &frame, Brush::View which) {
     FlatView &view = m_flat.at(static_cast<std::size_t>(which));
-    const battery::Chart chart = battery::makeChart(*model.subject().truth);
+    const battery::DomainMap domain = battery::makeDomainMap(*model.subject().truth);
     if (view.revision != model.revision() + 1) { // 0: never
-        uploadFlat(model, which, chart);
+        uploadFlat(model, which, domain);
         view.revision = model.revision() + 1;
     }
     ImGui::TextDisabled("Drag over points to light them in every view; a click lets go.");
@@ -256,13 +257,13 @@ void SamplesPanel::drawFlat(ViewModel &model, const window::Frame &frame, Brush:
                      shade(window::palette().check, 1.0), 0.0F, 0, 2.0F);
     }
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        drawHover(cloud, flatPoints(model, which, chart, lineColors()), transform, pointer);
+        drawHover(cloud, flatPoints(model, which, domain, lineColors()), transform, pointer);
     }
-    const std::string axes =
-        which == Brush::View::Square
-            ? "→ u in [0, 1), ↑ v in [0, 1)"
-            : fmt::format("→ {} in [{:.3g}, {:.3g}], ↑ {} in [{:.3g}, {:.3g}]", chart.xLabel,
-                          chart.low[0], chart.high[0], chart.yLabel, chart.low[1], chart.high[1]);
+    const std::string axes = which == Brush::View::Square
+                                 ? "→ u in [0, 1), ↑ v in [0, 1)"
+                                 : fmt::format("→ {} in [{:.3g}, {:.3g}], ↑ {} in [{:.3g}, {:.3g}]",
+                                               domain.xLabel, domain.low[0], domain.high[0],
+                                               domain.yLabel, domain.low[1], domain.high[1]);
     ImGui::TextDisabled("%s", axes.c_str());
 }
 
@@ -278,7 +279,7 @@ void SamplesPanel::draw(ViewModel &model, const window::Frame &frame) {
             if (tab == 0) {
                 drawSpace(model, frame);
             } else {
-                drawFlat(model, frame, tab == 1 ? Brush::View::Square : Brush::View::Chart);
+                drawFlat(model, frame, tab == 1 ? Brush::View::Square : Brush::View::Domain);
             }
             ImGui::EndTabItem();
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <array>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace viewer {
 
-/// The middle column: the points in space, in the unit square and in the chart of the domain.
+/// The middle column: the points in space, in the unit square and in the map of the domain.
 class SamplesPanel {
 public:
     void draw(ViewModel &model, const window::Frame &frame);
@@ -35,7 +35,7 @@ private:
     void drawTurnButtons(bool directions);
     void handleSpaceMouse(float width, float height);
     void uploadSpace(ViewModel &model);
-    void uploadFlat(ViewModel &model, Brush::View which, const battery::Chart &chart);
+    void uploadFlat(ViewModel &model, Brush::View which, const battery::DomainMap &domain);
 
     int m_wantedTab = -1;
     Arcball m_ball;

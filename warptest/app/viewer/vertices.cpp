@@ -114,7 +114,7 @@ std::vector<window::Vertex> spaceLines(ViewModel &model, const LineColors &color
 }
 
 std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view,
-                                       const battery::Chart &chart, const LineColors &colors) {
+                                       const battery::DomainMap &domain, const LineColors &colors) {
     const std::vector<std::uint32_t> shades = pointColors(model, colors);
     const Cloud &cloud = model.cloud();
     std::vector<window::Vertex> points;
@@ -125,14 +125,14 @@ std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view,
         return points;
     }
     for (std::size_t i = 0; i < cloud.outputs.size(); ++i) {
-        const std::array<double, 2> at = chart.place(battery::toPoint(cloud.outputs[i]));
+        const std::array<double, 2> at = domain.place(battery::toPoint(cloud.outputs[i]));
         points.push_back({static_cast<float>(at[0]), static_cast<float>(at[1]), 0.0F, shades[i]});
     }
     return points;
 }
 
 std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view,
-                                      const battery::Chart &chart, const LineColors &colors) {
+                                      const battery::DomainMap &domain, const LineColors &colors) {
     const Cloud &cloud = model.cloud();
     Line lines;
     addUnitFrame(lines, colors.axis);
@@ -145,10 +145,10 @@ std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view,
             addSegment(lines, {0, at, 0}, {1, at, 0}, colors.grid);
         }
     }
-    if (view == Brush::View::Chart && !chart.directions) {
+    if (view == Brush::View::Domain && !domain.directions) {
         std::vector<battery::Output> boundary;
         for (const battery::Output &p : cloud.boundary) {
-            const std::array<double, 2> at = chart.place(battery::toPoint(p));
+            const std::array<double, 2> at = domain.place(battery::toPoint(p));
             boundary.push_back({static_cast<float>(at[0]), static_cast<float>(at[1]), 0.0F});
         }
         addPolyline(lines, boundary, colors.boundary);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <cstdint>
 #include <vector>
@@ -27,11 +27,11 @@ std::vector<window::Vertex> spacePoints(ViewModel &model, const LineColors &colo
 /// Axes, boundary of the support, warped grid; a circle of latitude and the equator for directions.
 std::vector<window::Vertex> spaceLines(ViewModel &model, const LineColors &colors);
 
-/// The inputs in the unit square, or the outputs in the chart: z = 0.
+/// The inputs in the unit square, or the outputs in the domain map: z = 0.
 std::vector<window::Vertex> flatPoints(ViewModel &model, Brush::View view,
-                                       const battery::Chart &chart, const LineColors &colors);
-/// Frame and strata of the square, or frame and boundary of the chart.
+                                       const battery::DomainMap &domain, const LineColors &colors);
+/// Frame and strata of the square, or frame of the domain map and boundary of the domain.
 std::vector<window::Vertex> flatLines(ViewModel &model, Brush::View view,
-                                      const battery::Chart &chart, const LineColors &colors);
+                                      const battery::DomainMap &domain, const LineColors &colors);
 
 } // namespace viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <fmt/core.h>
 
@@ -71,15 +71,15 @@ const std::vector<bool> &ViewModel::selection() {
         return *m_selection;
     }
     const Cloud &points = cloud();
-    const battery::Chart chart = battery::makeChart(*subject().truth);
+    const battery::DomainMap domain = battery::makeDomainMap(*subject().truth);
     const auto isBetween = [](double x, double a, double b) {
         return x >= std::min(a, b) && x <= std::max(a, b);
     };
     for (std::size_t i = 0; i < points.inputs.size(); ++i) {
         std::array<double, 2> at{static_cast<double>(points.inputs[i].u),
                                  static_cast<double>(points.inputs[i].v)};
-        if (m_brush->view == Brush::View::Chart) {
-            at = i < points.outputs.size() ? chart.place(battery::toPoint(points.outputs[i]))
+        if (m_brush->view == Brush::View::Domain) {
+            at = i < points.outputs.size() ? domain.place(battery::toPoint(points.outputs[i]))
                                            : std::array{-1.0, -1.0};
         }
         m_selection->push_back(isBetween(at[0], m_brush->from[0], m_brush->to[0]) &&

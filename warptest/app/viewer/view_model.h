@@ -13,7 +13,7 @@ namespace viewer {
 
 /// A rectangle that was brushed, in one of the two flat views, both [0, 1]^2.
 struct Brush {
-    enum class View { Square, Chart } view = View::Square;
+    enum class View { Square, Domain } view = View::Square;
     std::array<double, 2> from{};
     std::array<double, 2> to{};
 };

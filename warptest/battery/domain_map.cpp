@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <battery/chart.h>
+#include <battery/domain_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 
 namespace battery {
 
-std::array<double, 2> Chart::place(const catalog::Point &p) const {
+std::array<double, 2> DomainMap::place(const catalog::Point &p) const {
     const std::array<double, 2> at =
         directions ? std::array{std::atan2(p.y, p.x), p.z} : std::array{p.x, p.y};
     return {(at[0] - low[0]) / (high[0] - low[0]), (at[1] - low[1]) / (high[1] - low[1])};
 }
 
-catalog::Point Chart::point(const std::array<double, 2> &place) const {
+catalog::Point DomainMap::point(const std::array<double, 2> &place) const {
     const double x = low[0] + place[0] * (high[0] - low[0]);
     const double y = low[1] + place[1] * (high[1] - low[1]);
     if (!directions) {
@@ -23,15 +23,15 @@ catalog::Point Chart::point(const std::array<double, 2> &place) const {
     return {sine * std::cos(x), sine * std::sin(x), y};
 }
 
-double Chart::measure() const {
+double DomainMap::measure() const {
     return (high[0] - low[0]) * (high[1] - low[1]);
 }
 
-Chart makeChart(const catalog::WarpEntry &truth) {
-    Chart chart;
-    chart.directions = truth.dimension == 3;
-    chart.xLabel = chart.directions ? "φ" : "x";
-    chart.yLabel = chart.directions ? "cos θ" : "y";
+DomainMap makeDomainMap(const catalog::WarpEntry &truth) {
+    DomainMap domain;
+    domain.directions = truth.dimension == 3;
+    domain.xLabel = domain.directions ? "φ" : "x";
+    domain.yLabel = domain.directions ? "cos θ" : "y";
     // The supports end at whole numbers: a few outputs of the right warp tell which.
     constexpr int kProbes = 33;
     std::array<double, 3> low{0.0, 0.0, 0.0};
@@ -47,14 +47,14 @@ Chart makeChart(const catalog::WarpEntry &truth) {
             high[axis] = std::max(high[axis], std::round(at[axis]));
         }
     }
-    if (chart.directions) {
-        chart.low = {-std::numbers::pi, low[2]};
-        chart.high = {std::numbers::pi, high[2]};
+    if (domain.directions) {
+        domain.low = {-std::numbers::pi, low[2]};
+        domain.high = {std::numbers::pi, high[2]};
     } else {
-        chart.low = {low[0], low[1]};
-        chart.high = {high[0], high[1]};
+        domain.low = {low[0], low[1]};
+        domain.high = {high[0], high[1]};
     }
-    return chart;
+    return domain;
 }
 
 } // namespace battery
