@@ -3,6 +3,7 @@
 
 #include <grader/results/results.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -126,7 +127,16 @@ inline grader::SubmissionResult sampleResult() {
     return result;
 }
 
-/// The same with `text` in every place that a hand-in has a say in.
+/// The same with a map of points of one check: all in the lowest of the triangle's cells.
+inline grader::SubmissionResult resultWithMap() {
+    grader::SubmissionResult result = sampleResult();
+    grader::PointMap map{"triangle", 0, 2048, std::vector<std::uint32_t>(1024, 0)};
+    map.counts[0] = 2000;
+    result.items[2].checks[0].map = map;
+    return result;
+}
+
+/// The same as sampleResult() with `text` in every place that a hand-in has a say in.
 inline grader::SubmissionResult resultWith(const std::string &text) {
     grader::SubmissionResult result = sampleResult();
     result.name = text;

@@ -68,7 +68,12 @@ private:
 
     std::string checkElements(const nlohmann::json &value, const nlohmann::json &rule,
                               const std::string &place) const {
-        if (!value.is_array() || !rule.contains("items"))
+        if (!value.is_array())
+            return {};
+        if (value.size() < rule.value("minItems", std::size_t{0}) ||
+            value.size() > rule.value("maxItems", value.size()))
+            return place + ": has the wrong number of elements";
+        if (!rule.contains("items"))
             return {};
         for (std::size_t i = 0; i < value.size(); ++i) {
             const std::string wrong =

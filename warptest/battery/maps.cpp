@@ -91,9 +91,7 @@ Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double>
     return maps;
 }
 
-Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output> outputs,
-              int side) {
-    const DomainMap domain = makeDomainMap(truth);
+std::vector<double> countCells(const DomainMap &domain, std::span<const Output> outputs, int side) {
     std::vector<double> observed(cellCount(side), 0.0);
     for (const Output &output : outputs) {
         const int cell = cellAt(domain.place(toPoint(output)), side);
@@ -101,7 +99,12 @@ Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output>
             observed[static_cast<std::size_t>(cell)] += 1.0;
         }
     }
-    return mapsOfCounts(truth, a, std::move(observed), outputs.size());
+    return observed;
+}
+
+Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output> outputs,
+              int side) {
+    return mapsOfCounts(truth, a, countCells(makeDomainMap(truth), outputs, side), outputs.size());
 }
 
 } // namespace battery

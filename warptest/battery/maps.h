@@ -30,6 +30,9 @@ inline constexpr int kMinMapSide = 4;
 inline constexpr int kMaxMapSide = 128;
 inline constexpr double kMinExpected = 5.0;
 
+/// Counts of points in the cells of a domain map, shape [side, side]; those outside are left out.
+std::vector<double> countCells(const DomainMap &domain, std::span<const Output> outputs, int side);
+
 /// \param outputs  of independent inputs: with others the residuals are smaller than chance allows
 /// \param side     in [kMinMapSide, kMaxMapSide]
 Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output> outputs,

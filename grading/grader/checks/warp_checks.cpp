@@ -2,6 +2,7 @@
 #include <battery/density.h>
 #include <battery/distribution.h>
 #include <battery/inputs.h>
+#include <battery/maps.h>
 #include <battery/range.h>
 #include <battery/steps.h>
 #include <battery/stratified.h>
@@ -33,6 +34,12 @@ constexpr int kStratifiedStages = 3; ///< all of them must exceed the threshold
 
 std::string atParameter(const WarpEntry &warp, double parameter) {
     return warp.hasParameter ? fmt::format(" at alpha = {:g}", parameter) : "";
+}
+
+/// A fraction in percent with two digits, never as `1e+02`.
+std::string percent(double fraction) {
+    return fraction < 0.995 ? fmt::format("{:.2g}", 100 * fraction)
+                            : fmt::format("{:.0f}", 100 * fraction);
 }
 
 /// The result that costs most, so that one bad parameter is enough.
@@ -142,12 +149,13 @@ CheckResult judgeStratified(CheckContext &context, const WarpEntry &warp, double
     return result;
 }
 
-CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double parameter) {
+/// \param outputs  set to the independent points of the last stage
+CheckResult judgeOutputsAt(CheckContext &context, const WarpEntry &warp, double parameter,
+                           std::vector<Output> &outputs) {
     const std::string where = atParameter(warp, parameter);
     const std::vector<Input> grid = battery::gridInputs(kGridSide);
     CheckResult ended;
     battery::DistributionResult last;
-    std::vector<Output> outputs;
     const auto stop = [&](CheckResult result) {
         ended = std::move(result);
         statistics::StageResult stage;
@@ -163,10 +171,10 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
         const WarpAnswer answer = askWarp(context, warp, parameter, {batch.inputs, grid});
         if (answer.failure)
             return stop(*answer.failure);
+        outputs = battery::withoutDuplicates(batch, answer.outputs[0]);
         CheckResult wrong = judgeOutputs(warp, parameter, batch, grid, answer);
         if (!wrong.message.empty())
             return stop(std::move(wrong));
-        outputs = battery::withoutDuplicates(batch, answer.outputs[0]);
         last = battery::judgeDistribution(warp, parameter, outputs);
         return battery::asStage(last);
     };
@@ -175,19 +183,20 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
     if (!ended.message.empty())
         return ended;
 
-    CheckResult result = makeResult(
-        Verdict::Inconclusive,
-        fmt::format("The density of the points differs from the true one by {:.2g} % rms{} (below "
-                    "{:.2g} % at 99.99 %).",
-                    100 * last.rmsError, where, 100 * last.rmsBound));
+    CheckResult result =
+        makeResult(Verdict::Inconclusive,
+                   fmt::format("The density of the points differs from the true one by {} % rms{}",
+                               percent(last.rmsError), where));
     result.effect = last.rmsError;
     result.mde = last.mde;
     result.p = last.pValue;
     if (lock.decision == statistics::Decision::Fail) {
         result.verdict = Verdict::Fail;
+        result.message += ".";
         result.diagnoses = guessSamples(warp, parameter, outputs);
         return result;
     }
+    result.message += fmt::format(" (below {} % at 99.99 %).", percent(last.rmsBound));
     if (CheckResult stepped = judgeContinuity(warp, parameter, outputs); !stepped.message.empty())
         return stepped;
     CheckResult stratified = judgeStratified(context, warp, parameter);
@@ -195,6 +204,24 @@ CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double 
         return stratified;
     if (lock.decision == statistics::Decision::Pass)
         result.verdict = Verdict::Pass;
+    return result;
+}
+
+PointMap mapOf(const WarpEntry &warp, double parameter, std::span<const Output> outputs) {
+    const std::vector<double> counts =
+        battery::countCells(battery::makeDomainMap(warp), outputs, battery::kMapSide);
+    return {warp.id, parameter, outputs.size(), {counts.begin(), counts.end()}};
+}
+
+/// Points, and where something is wrong or may be, a map of them.
+CheckResult judgeSamplesAt(CheckContext &context, const WarpEntry &warp, double parameter) {
+    std::vector<Output> outputs;
+    CheckResult result = judgeOutputsAt(context, warp, parameter, outputs);
+    const bool isOff = result.verdict == Verdict::Fail || result.verdict == Verdict::Inconclusive;
+    if (isOff && !outputs.empty())
+        result.map = mapOf(
+            warp, parameter,
+            std::span(outputs).first(std::min(outputs.size(), battery::kDistributionSamples)));
     return result;
 }
 
@@ -223,10 +250,9 @@ CheckResult judgeDensityAt(CheckContext &context, const WarpEntry &warp, double 
     const bool right = found.rightInside() && found.notFinite == 0 && found.negative == 0;
     result = makeResult(
         right ? Verdict::Pass : Verdict::Fail,
-        fmt::format(
-            "The density is wrong at {:.2g} % of the samples{}; it is {:.4g} times the true "
-            "one (median).",
-            100 * found.wrongMass(), where, found.medianRatio),
+        fmt::format("The density is wrong at {} % of the samples{}; it is {:.4g} times the true "
+                    "one (median).",
+                    percent(found.wrongMass()), where, found.medianRatio),
         guessDensity(warp, found, false));
     result.effect = std::max(found.wrongMass(), right ? 0.0 : 0.001);
     if (found.notFinite > 0)

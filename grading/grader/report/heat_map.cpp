@@ -121,7 +121,7 @@ std::string mapFigures(const battery::Maps &maps) {
                        return maps.sparse[i] ? "#808080" : residualColor(maps.residual[i]);
                    });
     html += "</div>\n";
-    html += colorBar("0", fmt::format("{:.4g} points in a cell", maps.largest), sizeColor);
+    html += colorBar("0", fmt::format("{:.0f} points in a cell", maps.largest), sizeColor);
     html += colorBar("−4 σ: too few", "+4 σ: too many",
                      [](double t) { return residualColor(kResidualRange * (2.0 * t - 1.0)); });
     html += fmt::format(

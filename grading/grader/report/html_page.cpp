@@ -10,6 +10,7 @@
 
 #include "html.h"
 #include "page_style.h"
+#include "point_maps.h"
 #include "terminal_report.h"
 
 namespace grader {
@@ -66,8 +67,8 @@ std::string itemTable(const SubmissionResult &result) {
                             item.extra ? " (extra)" : "");
         if (result.marked)
             html += fmt::format("<td class=\"number\">{}</td>", points(item));
-        html +=
-            fmt::format("{}<td>{}</td></tr>\n", verdictCell(item.verdict), isolated(item.reason));
+        html += fmt::format("{}<td class=\"reason\">{}</td></tr>\n", verdictCell(item.verdict),
+                            isolated(item.reason));
     }
     return html + "</tbody>\n</table></div>\n";
 }
@@ -143,7 +144,7 @@ std::string checkTables(const SubmissionResult &result) {
         html += "</tr></thead>\n<tbody>\n";
         for (const CheckResult &check : item.checks)
             html += checkRow(check);
-        html += "</tbody>\n</table></div></details>\n";
+        html += "</tbody>\n</table></div>\n" + pointMaps(item) + "</details>\n";
     }
     return html.empty() ? html : "<h2>Checks</h2>\n" + html;
 }
@@ -192,7 +193,7 @@ std::string figureTable(const SubmissionResult &result) {
                                                     : std::string("–"));
         for (const double value : {figure.noise, figure.p})
             html += fmt::format("<td class=\"number\">{}</td>", number(value));
-        html += fmt::format("<td>{}</td></tr>\n", isolated(figure.message));
+        html += fmt::format("<td class=\"reason\">{}</td></tr>\n", isolated(figure.message));
     }
     return html + "</tbody>\n</table></div>\n";
 }
@@ -204,8 +205,9 @@ std::string fileTable(const SubmissionResult &result) {
                        "<th scope=\"col\">File</th><th scope=\"col\">Used as</th>"
                        "<th scope=\"col\">Why</th></tr></thead>\n<tbody>\n";
     for (const FileUse &file : result.files)
-        html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
-                            isolated(file.path), escapeHtml(file.use), isolated(file.reason));
+        html += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"reason\">{}</td></tr>\n",
+            isolated(file.path), escapeHtml(file.use), isolated(file.reason));
     return html + "</tbody>\n</table></div>\n";
 }
 

@@ -20,12 +20,14 @@ table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: .35rem .6rem; overflow-wrap: anywhere;
   border-bottom: 1px solid var(--line); }
 thead th { background: var(--soft); overflow-wrap: normal; }
+th[scope=row] { min-width: 7rem; } .message, .reason { min-width: 12rem; }
 .number { text-align: right; white-space: nowrap; }
 .verdict { white-space: nowrap; font-weight: 600; }
 .pass { color: var(--pass); } .fail { color: var(--fail); }
 .look { color: var(--look); } .none { color: var(--none); }
 details { margin: .5rem 0; border: 1px solid var(--line); border-radius: .3rem; }
 summary { cursor: pointer; padding: .4rem .6rem; background: var(--soft); }
+.evidence { padding: 0 .6rem; }
 .scroll { overflow-x: auto; }
 .both { display: grid; gap: .2rem; } input[name=lang] + label { margin-right: 1rem; }
 #lang-en:checked ~ .both [lang=es], #lang-es:checked ~ .both [lang=en] { display: none; }

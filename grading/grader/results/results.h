@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,14 @@ const char *severityName(Severity severity);
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
+/// How many points of a warp are in each cell of the map of its domain: what a check has seen.
+struct PointMap {
+    std::string warp;                  ///< id in the catalogue, `triangle`
+    double parameter = 0;              ///< of the warp; 0 where it has none
+    std::size_t points = 0;            ///< independent ones, those in no cell among them
+    std::vector<std::uint32_t> counts; ///< shape [32, 32], row 0 at the map's lower edge
+};
+
 /// The outcome of one check. Numbers that do not apply are NaN (null in JSON).
 struct CheckResult {
     std::string id; ///< e.g. `warp.triangle.pdf`
@@ -49,6 +58,7 @@ struct CheckResult {
     std::string message;       ///< one sentence: what was measured and found
     std::string diagnosis;     ///< the first of `diagnoses` in a sentence; empty when there is none
     std::vector<Guess> diagnoses;          ///< likely mistakes, see bestGuesses()
+    std::optional<PointMap> map;           ///< of points that are wrong, or may be
     Severity severity = Severity::Visible; ///< filled in by scoring from the rubric
     double score = 1;    ///< fraction of the check's weight that is kept [0, 1]; by scoring
     std::string variant; ///< which parts were the student's, e.g. `student` or `reference warp`

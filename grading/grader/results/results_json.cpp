@@ -27,6 +27,15 @@ Json guessesJson(const std::vector<Guess> &guesses) {
     return list;
 }
 
+Json mapJson(const std::optional<PointMap> &map) {
+    if (!map)
+        return nullptr;
+    return {{"warp", map->warp},
+            {"parameter", number(map->parameter)},
+            {"points", map->points},
+            {"counts", map->counts}};
+}
+
 Json checkJson(const CheckResult &check) {
     return {{"id", check.id},
             {"verdict", verdictName(check.verdict)},
@@ -38,6 +47,7 @@ Json checkJson(const CheckResult &check) {
             {"message", check.message},
             {"diagnosis", check.diagnosis},
             {"diagnoses", guessesJson(check.diagnoses)},
+            {"map", mapJson(check.map)},
             {"variant", check.variant}};
 }
 

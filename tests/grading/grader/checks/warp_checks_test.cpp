@@ -44,4 +44,30 @@ TEST(WarpEdges, FindADivisionByZeroThatNoImageShows) {
         << result.message;
 }
 
+TEST(WarpSamples, KeepAMapOfPointsThatAreWrong) {
+    FakeContext context = contextOf([](float u, float) { return u * u; });
+    const CheckResult result = findCheck("warp.triangle.samples")->run(context);
+    EXPECT_EQ(result.verdict, Verdict::Fail);
+    EXPECT_EQ(result.message.find("e+"), std::string::npos) << result.message;
+    ASSERT_TRUE(result.map);
+    EXPECT_EQ(result.map->warp, "triangle");
+    ASSERT_EQ(result.map->counts.size(), 1024U);
+    // P(r < 1/16) = 1/4 of r = u^2, 1/256 of a right warp: x = 1 - r in the last two columns
+    std::size_t inside = 0;
+    std::size_t right = 0;
+    for (std::size_t cell = 0; cell < 1024; ++cell) {
+        inside += result.map->counts[cell];
+        right += cell % 32 >= 30 ? result.map->counts[cell] : 0;
+    }
+    EXPECT_EQ(inside, result.map->points);
+    EXPECT_NEAR(static_cast<double>(right) / static_cast<double>(inside), 0.25, 0.01);
+}
+
+TEST(WarpSamples, KeepNoMapOfPointsThatAreRight) {
+    FakeContext context = contextOf([](float u, float) { return std::sqrt(u); });
+    const CheckResult result = findCheck("warp.triangle.samples")->run(context);
+    EXPECT_EQ(result.verdict, Verdict::Pass) << result.message;
+    EXPECT_FALSE(result.map);
+}
+
 } // namespace grader

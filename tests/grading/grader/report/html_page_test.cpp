@@ -75,8 +75,20 @@ TEST(HtmlPage, HasTheSameElementsWhateverAHandInSays) {
     }
 }
 
+TEST(HtmlPage, ShowsWhereThePointsOfAWrongWarpFall) {
+    const std::string page = htmlPage(support::resultWithMap(), kProvenance);
+    for (const char *part :
+         {"Where the points of <code>Warp::squareToUniformTriangle</code> fall</h3>",
+          "Map of the observed counts", "Map of the expected counts", "Map of the residuals",
+          // 2048 points in a triangle of area 1/2: 4 in each whole cell
+          "2048 independent points in 32×32 cells, 48 outside of the map",
+          "2000 observed, 4.0 expected"})
+        EXPECT_EQ(count(page, part), 1U) << part;
+    EXPECT_EQ(htmlPage(support::sampleResult(), kProvenance).find("Map of"), std::string::npos);
+}
+
 TEST(HtmlPage, IsWellFormed) {
-    std::string page = htmlPage(support::sampleResult(), kProvenance);
+    std::string page = htmlPage(support::resultWithMap(), kProvenance);
     // As XML, void elements need an end and flags a value.
     for (const auto &[from, to] :
          {std::pair<std::string, std::string>{"initial-scale=1\">", "initial-scale=1\"/>"},

@@ -23,6 +23,8 @@ TEST(ResultsJson, FollowsItsPublishedSchema) {
     EXPECT_EQ(publishedSchema().check(Json::parse(resultsJson(runOf(support::sampleResult())))),
               "");
     EXPECT_EQ(publishedSchema().check(Json::parse(resultsJson({}))), "");
+    EXPECT_EQ(publishedSchema().check(Json::parse(resultsJson(runOf(support::resultWithMap())))),
+              "");
     for (const std::string &text : support::hostileStrings())
         EXPECT_EQ(
             publishedSchema().check(Json::parse(resultsJson(runOf(support::resultWith(text))))),
@@ -43,6 +45,10 @@ TEST(ResultsJson, IsRefusedByTheSchemaWhenItIsDamaged) {
     wrong = right;
     wrong["submissions"][0]["total"] = "3";
     EXPECT_NE(publishedSchema().check(wrong), "");
+    wrong = Json::parse(resultsJson(runOf(support::resultWithMap())));
+    wrong["submissions"][0]["items"][2]["checks"][0]["map"]["counts"].push_back(1);
+    EXPECT_EQ(publishedSchema().check(wrong), "$.submissions[0].items[2].checks[0].map.counts: has "
+                                              "the wrong number of elements");
 }
 
 TEST(ResultsJson, HoldsTheFactsUnderTheirNames) {
@@ -64,6 +70,17 @@ TEST(ResultsJson, HoldsTheFactsUnderTheirNames) {
     EXPECT_EQ(item["checks"][0]["effect"], 0.31);
     EXPECT_TRUE(item["checks"][0]["mde"].is_null());
     EXPECT_EQ(item["checks"][0]["diagnosis"], "Divide by the probability.");
+}
+
+TEST(ResultsJson, KeepsTheCountsOfAMapOfPoints) {
+    const Json json = Json::parse(resultsJson(runOf(support::resultWithMap())));
+    const Json &items = json["submissions"][0]["items"];
+    const Json &map = items[2]["checks"][0]["map"];
+    EXPECT_EQ(map["warp"], "triangle");
+    EXPECT_EQ(map["points"], 2048);
+    EXPECT_EQ(map["counts"][0], 2000);
+    EXPECT_EQ(map["counts"].size(), 1024U);
+    EXPECT_TRUE(items[0]["checks"][0]["map"].is_null());
 }
 
 TEST(ResultsJson, GivesNoPointsWhereNoneAreGiven) {
