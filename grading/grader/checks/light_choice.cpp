@@ -110,7 +110,7 @@ LightChoice makeEveryKind(std::uint64_t seed) {
     choice.test.columns = kColumns;
     choice.test.rays = raysOnto(floor, kColumns, 0.35, random);
     for (std::size_t i = 0; i < kKinds; ++i)
-        choice.intensities.push_back(
+        choice.intensities.emplace_back(
             (kColors[i] * random.uniform(1, 3)).cast<float>().cast<double>());
     TestScene scene;
     scene.addMesh(floor, choice.albedo);
