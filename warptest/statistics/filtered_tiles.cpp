@@ -2,6 +2,7 @@
 #include "filtered_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,7 +14,13 @@ namespace {
 /// samples.
 constexpr double kDark = 2e-3;
 
-constexpr int kPlaces = 4; ///< per axis, at which a sample may lie in its pixel
+/// Nori looks the filter up in a table of this many values up to the radius, always at the one
+/// before the distance: its film is 3 % wider than the formula, and takes off 6 % more variance.
+constexpr int kSteps = 32;
+
+/// Per axis, at which a sample may lie in its pixel: with the default radius one in the middle of
+/// each of the table's steps.
+constexpr int kPlaces = 16;
 
 /// Weights of one axis: those of a sample in pixel q at one of the places for the pixels around q,
 /// divided by what those pixels get in total per sample of a pixel.
@@ -127,6 +134,24 @@ private:
         double degreesOfFreedom = 1e6; ///< hundreds of samples in each of tens of pixels
     };
 
+    /// Sums over a sample's places of powers of the weight that it has for pixels of one axis.
+    struct Powers {
+        double square = 0.0;
+        double cube = 0.0;
+    };
+
+    static Powers powersOf(const AxisWeights &axis, int q, const Interval &pixels) {
+        Powers powers;
+        for (int place = 0; place < kPlaces; ++place) {
+            double weight = 0.0;
+            for (int p = pixels.begin; p < pixels.end; ++p)
+                weight += axis.at(q, place, p);
+            powers.square += weight * weight;
+            powers.cube += weight * weight * weight;
+        }
+        return powers;
+    }
+
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_pair.moments.width) +
                static_cast<std::size_t>(x);
@@ -137,25 +162,31 @@ private:
         const MomentSummary &samples = m_pair.moments.at(qx, qy);
         const Interval pxs = xs.around(qx, m_x.reach());
         const Interval pys = ys.around(qy, m_y.reach());
-        double variance = 0.0;
-        double third = 0.0;
-        for (int placeY = 0; placeY < kPlaces; ++placeY) {
-            for (int placeX = 0; placeX < kPlaces; ++placeX) {
-                double weight = 0.0;
-                double offset = 0.0;
-                for (int py = pys.begin; py < pys.end; ++py) {
-                    const double wy = m_y.at(qy, placeY, py);
-                    for (int px = pxs.begin; px < pxs.end; ++px) {
-                        const double w = wy * m_x.at(qx, placeX, px);
-                        weight += w;
-                        offset += w * (samples.mean - double{m_pair.image[index(px, py)]});
-                    }
-                }
-                variance += weight * weight * samples.variance + offset * offset;
-                third += weight * weight * weight * samples.thirdCentral;
+        constexpr double kAll = kPlaces * kPlaces;
+        // What the filter's axes give on their own: all is a product of the two, or a sum of such.
+        const Powers inX = powersOf(m_x, qx, pxs);
+        const Powers inY = powersOf(m_y, qy, pys);
+        double offsets = 0.0;
+        double squares = 0.0; ///< of the offsets
+        for (int placeX = 0; placeX < kPlaces; ++placeX) {
+            std::array<double, kPlaces> offset{};
+            for (int py = pys.begin; py < pys.end; ++py) {
+                double row = 0.0;
+                for (int px = pxs.begin; px < pxs.end; ++px)
+                    row += m_x.at(qx, placeX, px) *
+                           (samples.mean - double{m_pair.image[index(px, py)]});
+                for (int placeY = 0; placeY < kPlaces; ++placeY)
+                    offset[static_cast<std::size_t>(placeY)] += m_y.at(qy, placeY, py) * row;
+            }
+            for (const double value : offset) {
+                offsets += value;
+                squares += value * value;
             }
         }
-        constexpr double kAll = kPlaces * kPlaces;
+        // A pixel has its number of samples, neither more nor less: their mean offset is no noise.
+        squares -= offsets * offsets / kAll;
+        const double variance = inX.square * inY.square * samples.variance + squares;
+        const double third = inX.cube * inY.cube * samples.thirdCentral;
         const double own = 1.0 / samples.count;
         const double other = 1.0 / m_pair.referenceCount;
         noise.variance += variance / kAll * (own + other);
@@ -188,8 +219,10 @@ void requirePair(const FilteredPair &pair) {
 } // namespace
 
 double GaussianFilm::weight(double distance) const {
+    const double step = std::floor(distance / radius * kSteps);
+    const double tabulated = radius * step / kSteps;
     const double exponent = -0.5 / (stddev * stddev);
-    return std::max(0.0, std::exp(exponent * distance * distance) -
+    return std::max(0.0, std::exp(exponent * tabulated * tabulated) -
                              std::exp(exponent * radius * radius));
 }
 

@@ -5,8 +5,9 @@
 
 namespace statistics {
 
-/// Nori's default film: a Gaussian less its value at the radius, normalised by the weights that a
-/// pixel has got. Samples lie uniformly in their pixels and count for all pixels within the radius.
+/// Nori's default film: a Gaussian less its value at the radius, tabulated, and normalised by the
+/// weights that a pixel has got. Samples lie uniformly in their pixels and count for all pixels
+/// within the radius.
 struct GaussianFilm {
     double radius = 2.0; ///< [pixels]
     double stddev = 0.5; ///< [pixels]
@@ -24,9 +25,10 @@ struct FilteredPair {
 };
 
 /// As tileWelchTest(), for images whose pixels share samples. The variance of a tile's mean is
-/// added up sample by sample: with w the weight with which a sample counts for the tile and r what
-/// it counts for the error of the pixels' own weighted means, its part is (w^2 variance + (sum of
-/// w_p (mean - pixel p))^2) / n, averaged over the places in the pixel.
+/// added up over the pixels q with n samples each: with w the weight with which a sample at a place
+/// in q counts for the tile, and r = sum of w_p (mean of q - pixel p) what it counts for the error
+/// of the pixels' own weighted means, it is (mean of w^2 * variance of q + variance of r over the
+/// places) / n.
 ///
 /// \throws std::invalid_argument  as tileWelchTest(), or without a `referenceCount` > 0
 TileWelchResult filteredTileTest(const FilteredPair &pair, const TileWelchConfig &config = {},

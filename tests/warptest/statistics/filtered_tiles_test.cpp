@@ -14,6 +14,44 @@ constexpr int kWidth = 40;
 constexpr int kHeight = 32;
 constexpr int kSamples = 16;
 
+/// Nori's film, written down once more.
+class Film {
+public:
+    Film(int width, int height)
+        : m_width(width),
+          m_height(height),
+          m_sums(static_cast<std::size_t>(width * height), 0.0),
+          m_weights(m_sums.size(), 0.0) {}
+
+    /// A sample somewhere in the pixel (x, y).
+    void put(int x, int y, double value, Random &random) {
+        const double u = x + random.nextDouble();
+        const double v = y + random.nextDouble();
+        for (int py = std::max(0, y - 2); py <= std::min(m_height - 1, y + 2); ++py) {
+            for (int px = std::max(0, x - 2); px <= std::min(m_width - 1, x + 2); ++px) {
+                const double w =
+                    m_film.weight(std::fabs(u - px - 0.5)) * m_film.weight(std::fabs(v - py - 0.5));
+                m_sums[static_cast<std::size_t>(py * m_width + px)] += w * value;
+                m_weights[static_cast<std::size_t>(py * m_width + px)] += w;
+            }
+        }
+    }
+
+    std::vector<float> image() const {
+        std::vector<float> pixels;
+        for (std::size_t i = 0; i < m_sums.size(); ++i)
+            pixels.push_back(static_cast<float>(m_sums[i] / m_weights[i]));
+        return pixels;
+    }
+
+private:
+    GaussianFilm m_film;
+    int m_width;
+    int m_height;
+    std::vector<double> m_sums;
+    std::vector<double> m_weights;
+};
+
 /// A render of a field of exponential samples through a Gaussian film, as nori makes one.
 struct Render {
     std::vector<MomentSummary> moments;
@@ -22,35 +60,22 @@ struct Render {
 
 /// \param brightness  factor on the samples of the pixels of one tile, (8, 8) to (15, 15)
 Render render(std::uint64_t seed, double brightness = 1, int samples = kSamples) {
-    const GaussianFilm film;
+    Film film(kWidth, kHeight);
     Random random(seed);
     std::vector<RunningMoments> moments(kWidth * kHeight);
-    std::vector<double> sums(kWidth * kHeight, 0.0);
-    std::vector<double> weights(kWidth * kHeight, 0.0);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const double scale = (1 + 0.02 * x) * (x / 8 == 1 && y / 8 == 1 ? brightness : 1);
             for (int s = 0; s < samples; ++s) {
-                const double u = x + random.nextDouble();
-                const double v = y + random.nextDouble();
                 const double value = -scale * std::log(1 - random.nextDouble());
                 moments[static_cast<std::size_t>(y * kWidth + x)].add(value);
-                for (int py = std::max(0, y - 2); py <= std::min(kHeight - 1, y + 2); ++py) {
-                    for (int px = std::max(0, x - 2); px <= std::min(kWidth - 1, x + 2); ++px) {
-                        const double w = film.weight(std::fabs(u - px - 0.5)) *
-                                         film.weight(std::fabs(v - py - 0.5));
-                        sums[static_cast<std::size_t>(py * kWidth + px)] += w * value;
-                        weights[static_cast<std::size_t>(py * kWidth + px)] += w;
-                    }
-                }
+                film.put(x, y, value, random);
             }
         }
     }
-    Render result;
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-        result.moments.push_back(moments[i].summary());
-        result.film.push_back(static_cast<float>(sums[i] / weights[i]));
-    }
+    Render result{{}, film.image()};
+    for (const RunningMoments &pixel : moments)
+        result.moments.push_back(pixel.summary());
     return result;
 }
 
@@ -60,6 +85,48 @@ TileWelchResult test(const Render &image, const Render &reference,
                              image.film,
                              reference.film,
                              static_cast<double>(referenceSamples)});
+}
+
+// As ImageBlock::put(): 32 steps up to the radius of 2, each with the value at its inner end.
+TEST(GaussianFilm, IsTabulatedAsInNori) {
+    const GaussianFilm film;
+    const double end = std::exp(-8.0);
+    EXPECT_DOUBLE_EQ(film.weight(0), 1 - end);
+    EXPECT_DOUBLE_EQ(film.weight(0.0624), 1 - end);
+    EXPECT_DOUBLE_EQ(film.weight(0.0626), std::exp(-2 * 0.0625 * 0.0625) - end);
+    EXPECT_DOUBLE_EQ(film.weight(1.03), std::exp(-2.0) - end);
+    EXPECT_EQ(film.weight(2), 0);
+}
+
+// A step from 0 to 100 at a pixel's edge, without any noise in a sample: all that is left is where
+// the samples of the pixels at the step lie.
+TEST(FilteredTileTest, KnowsWhatTheFilmMakesOfAStep) {
+    constexpr int kRuns = 200;
+    constexpr int kSide = 24;
+    RunningMoments means;
+    double predicted = 0;
+    for (std::uint64_t run = 0; run < kRuns; ++run) {
+        Film film(kSide, kSide);
+        Random random(run);
+        std::vector<MomentSummary> moments;
+        for (int y = 0; y < kSide; ++y) {
+            for (int x = 0; x < kSide; ++x) {
+                const double value = x < 12 ? 0 : 100;
+                moments.push_back({kSamples, value, 0, 0});
+                for (int s = 0; s < kSamples; ++s)
+                    film.put(x, y, value, random);
+            }
+        }
+        const std::vector<float> image = film.image();
+        // the reference has so many samples that it adds no noise
+        const Tile tile = filteredTileTest({{kSide, kSide, moments}, image, image, 1e12}).tiles[4];
+        EXPECT_EQ(tile.x, 8);
+        EXPECT_EQ(tile.y, 8);
+        means.add(tile.reference);
+        predicted += tile.test.standardError * tile.test.standardError / kRuns;
+    }
+    // 200 runs know a variance to within 10 %; 4.9 deviations
+    EXPECT_NEAR(means.summary().variance / predicted, 1, 0.49);
 }
 
 TEST(FilteredTileTest, ScoresTilesOfIndependentRendersAsStandardNormal) {
