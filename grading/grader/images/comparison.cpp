@@ -219,7 +219,26 @@ private:
                 m_references.front().channel(kNames[c])->values, count};
             m_result.channels[c].tiles = statistics::filteredTileTest(pair, config());
         }
+        m_result.referenceCount = count;
+        addApparentCount();
         return true;
+    }
+
+    /// The number of samples with which the mean square of the scores would be 1.
+    void addApparentCount() {
+        double own = 0;
+        for (const MomentSummary &pixel : m_moments->front().pixels)
+            own += pixel.count / static_cast<double>(m_moments->front().pixels.size());
+        double meanSquare = 0;
+        for (const ChannelComparison &channel : m_result.channels) {
+            const auto tested = static_cast<double>(channel.tiles->tilesTested);
+            if (tested > 0)
+                meanSquare += channel.tiles->sumOfSquares / tested /
+                              static_cast<double>(m_result.channels.size());
+        }
+        const double variance = meanSquare * (1 / own + 1 / m_result.referenceCount) - 1 / own;
+        if (variance > 0)
+            m_result.apparentCount = 1 / variance;
     }
 
     statistics::TileWelchConfig config() const {

@@ -54,6 +54,8 @@ struct Comparison {
     std::optional<double> pValue; ///< of all channels and statistics together
     bool scaleIsUnbiased = false; ///< two independent halves of the reference were given
     bool isFiltered = false;      ///< the tiles are those of images through the default film
+    double referenceCount = 0;    ///< samples per pixel that a filtered reference is said to have
+    double apparentCount = 0;     ///< the same by its noise, if it has no other fault; 0: none fits
 };
 
 /// Judges `image` against a reference.

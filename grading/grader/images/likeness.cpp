@@ -49,8 +49,10 @@ public:
     /// \return  false if the difference may be an artefact of skewed samples
     bool explainDifference() {
         bool isSure = false;
+        bool isNoiseAlone = m_comparison.isFiltered;
         for (const ChannelComparison &channel : m_comparison.channels) {
             const TileWelchResult &tiles = *channel.tiles;
+            isNoiseAlone = isNoiseAlone && tiles.sumPValue < m_level && isOnlyNoisier(tiles);
             const Tile &worst = tiles.tiles[tiles.worstTile];
             if (tiles.global.pValue < m_level && tiles.global.gateMet) {
                 isSure = true;
@@ -69,6 +71,10 @@ public:
                     std::sqrt(tiles.sumOfSquares / testedTiles(tiles)));
             }
         }
+        if (isNoiseAlone && m_comparison.apparentCount > 0)
+            say("It may be noise alone: with about {:.0f} samples per pixel in the reference, not "
+                "{:.0f}, nothing stands out.",
+                m_comparison.apparentCount, m_comparison.referenceCount);
         if (!isSure)
             say("They differ, but only where samples are too skewed for so few of them to be "
                 "judged: render with more.");
@@ -107,6 +113,16 @@ public:
     }
 
 private:
+    /// Whether nothing stands out once the noise is taken for what the tiles make it.
+    bool isOnlyNoisier(const TileWelchResult &tiles) const {
+        const double noise = std::sqrt(tiles.sumOfSquares / testedTiles(tiles));
+        const auto isUsual = [&](double z, double tests) {
+            return tests * std::erfc(std::fabs(z) / noise / std::sqrt(2.0)) >= m_level;
+        };
+        return isUsual(tiles.tiles[tiles.worstTile].score, testedTiles(tiles)) &&
+               isUsual(tiles.global.hall, 1);
+    }
+
     template <typename... Words>
     void say(const char *text, const Words &...words) {
         m_comparison.reasons.push_back(fmt::format(fmt::runtime(text), words...));

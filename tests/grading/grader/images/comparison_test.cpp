@@ -124,6 +124,21 @@ TEST(CompareImages, SaysWhatIsMissing) {
     EXPECT_EQ(compareImages(render(1, 1), {render(2, 1)}).likeness, Likeness::CannotTell);
 }
 
+TEST(CompareImages, TellsANoisierReferenceFromAnotherScene) {
+    const protocol::Image noisy = withoutMoments(render(2, 256));
+    const auto compare = [&](const Fault &fault) {
+        return compareImages(render(1, 4096, fault), {noisy}, {.referenceCount = 4096});
+    };
+    const Comparison found = compare({});
+    EXPECT_EQ(found.likeness, Likeness::Different);
+    // These pixels share no samples, unlike those of the film that is assumed: a fifth more noise.
+    EXPECT_GT(found.apparentCount, 128);
+    EXPECT_LT(found.apparentCount, 300);
+    EXPECT_NE(found.reasons.back().find("noise alone"), std::string::npos) << found.reasons.back();
+    const Comparison tile = compare({.tileFactor = 2});
+    EXPECT_EQ(tile.reasons.back().find("noise alone"), std::string::npos) << tile.reasons.back();
+}
+
 TEST(CompareImages, CountsPixelsThatAreNotFinite) {
     protocol::Image broken = render(1);
     broken.channels[1].values[7] = std::numeric_limits<float>::quiet_NaN();
