@@ -10,8 +10,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "check_groups.h"
 
@@ -244,7 +245,9 @@ CheckResult judgeSampler(CheckContext &context) {
     const std::vector<float> &second = answer.responses[1].values;
     std::size_t other = 0;
     for (std::size_t i = 0; i < first.size(); ++i)
-        other += std::memcmp(&first[i], &second[i], sizeof(float)) != 0 ? 1 : 0;
+        other += std::bit_cast<std::uint32_t>(first[i]) != std::bit_cast<std::uint32_t>(second[i])
+                     ? 1
+                     : 0;
     const double part = static_cast<double>(other) / static_cast<double>(first.size());
     CheckResult result = makeResult(other == 0 ? Verdict::Pass : Verdict::Fail,
                                     fmt::format("With the same numbers from the sampler {:.2g} % "
