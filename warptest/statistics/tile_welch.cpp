@@ -124,8 +124,11 @@ void addEffectSizes(TileWelchResult &result, const TileWelchConfig &config) {
         const double tileUnit = std::max(std::fabs(tile.reference), config.relativeFloor * unit);
         result.tileBound =
             std::max(result.tileBound, bound(tile.test, config.boundLevel / count) / tileUnit);
-        relativeNoise.push_back(tile.test.standardError / tileUnit);
+        if (tile.test.standardError > 0.0) // black and flat tiles show every difference
+            relativeNoise.push_back(tile.test.standardError / tileUnit);
     }
+    if (relativeNoise.empty())
+        return;
     const auto middle = relativeNoise.begin() + static_cast<long>(relativeNoise.size() / 2);
     std::nth_element(relativeNoise.begin(), middle, relativeNoise.end());
     result.tileMde = detectableDifference(*middle, config.significance / count, config.power);

@@ -65,7 +65,7 @@ struct TileWelchResult {
     double globalBound = 0.0;         ///< upper confidence bound of |globalRelativeError|
     double tileBound = 0.0; ///< the largest upper bound of a tile's relative error, Bonferroni
     double globalMde = 0.0; ///< minimal detectable relative error of the image mean
-    double tileMde = 0.0;   ///< of a tile with median noise, Bonferroni over tiles
+    double tileMde = 0.0; ///< of a tile with median noise of those with any, Bonferroni over tiles
 };
 
 /// Compares two images by the means of tiles, with Hall's correction for skewness.

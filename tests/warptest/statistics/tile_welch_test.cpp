@@ -103,6 +103,20 @@ TEST(TileWelch, ComparesExactlyWhereNothingVaries) {
     EXPECT_EQ(tileWelchTest(image(rounded), image(lit)).pValue, 1.0);
 }
 
+TEST(TileWelch, PromisesToFindWhatTilesWithNoiseAllow) {
+    const double full = compare(right).tileMde;
+    EXPECT_GT(full, 0.1);
+    const auto dark = [](int x, int) {
+        return x < 8 ? 1.0 : 0.0;
+    };
+    const auto student = render(64, 1, dark);
+    const auto reference = render(64, 2, dark);
+    // 12 of 16 tiles are black on both sides; the leftmost are as noisy as all others
+    EXPECT_NEAR(tileWelchTest(image(student), image(reference)).tileMde / full, 1, 0.1);
+    const std::vector<MomentSummary> black(kPixels, {16.0, 0.0, 0.0, 0.0});
+    EXPECT_EQ(tileWelchTest(image(black), image(black)).tileMde, 0);
+}
+
 TEST(TileWelch, RefusesImagesThatDoNotMatch) {
     const std::vector<MomentSummary> pixels(kPixels, {16.0, 1.0, 0.0, 0.0});
     EXPECT_THROW(tileWelchTest(image(pixels), {8, 8, pixels}), std::invalid_argument);
