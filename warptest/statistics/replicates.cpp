@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "replicates.h"
 
-#include <statistics/mean_tests.h>
+#include <statistics/sign_flips.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
 namespace statistics {
 
 namespace {
+
+/// The products are new each time; the signs that they are given need not be.
+constexpr std::uint64_t kSignSeed = 1;
 
 void requireShape(bool right, const char *function) {
     if (!right) {
@@ -74,7 +78,8 @@ CommonError commonError(std::span<const ImagePair> pairs, const RatioPlaces &pla
     requireShape(values >= 2 * places.channels && values % places.channels == 0 &&
                      (places.weights.empty() || places.weights.size() == values),
                  "commonError");
-    RunningMoments products;
+    std::vector<double> products;
+    RunningMoments moments;
     for (std::size_t i = 0; i < values; i += places.channels) {
         double sum = 0.0;
         double weights = 0.0;
@@ -89,12 +94,12 @@ CommonError commonError(std::span<const ImagePair> pairs, const RatioPlaces &pla
                 weights += weight;
             }
         }
-        products.add(weights > 0.0 ? sum / weights : 0.0);
+        products.push_back(weights > 0.0 ? sum / weights : 0.0);
+        moments.add(products.back());
     }
-    // No correction for skewness: it is none of the products' law, and its estimate would only add
-    // noise.
-    const MeanTestResult test = oneSampleTest(products.summary(), 0.0);
-    return {test.difference, test.standardError, test.pValuePlain};
+    const MomentSummary summary = moments.summary();
+    return {summary.mean, std::sqrt(summary.variance / summary.count),
+            signFlipPValue(products, kSignSeed)};
 }
 
 RatioEstimate betweenWithinRatio(const std::vector<std::vector<MomentSummary>> &replicates,

@@ -38,7 +38,7 @@ RatioEstimate ratioOfSums(std::span<const double> numerators, std::span<const do
 struct CommonError {
     double meanSquare = 0.0;    ///< estimate of the mean squared bias; may be negative
     double standardError = 0.0; ///< of `meanSquare`
-    double pValue = 1.0;        ///< two-sided, of its being 0
+    double pValue = 1.0;        ///< two-sided, of its being 0; at least 2^-20
 };
 
 /// Two images of a program, and one for each of what they should show.
@@ -48,8 +48,8 @@ struct ImagePair {
 
 /// mean (a - referenceA) (b - referenceB): the mean squared bias, without a noise floor and without
 /// an estimate of variance. Independent images that are right give products of independent numbers
-/// about 0, and a test that keeps its level under any law of the samples. Images that use the same
-/// random numbers have their noise in common. Channels of a place and `pairs` are summed up.
+/// about 0, whose signs signFlipPValue() tests whatever the law of the samples. Images that use the
+/// same random numbers have their noise in common. Channels of a place and `pairs` are summed up.
 /// \throws std::invalid_argument  if the shapes differ or there are less than 2 places
 CommonError commonError(std::span<const ImagePair> pairs, const RatioPlaces &places = {});
 
