@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -39,6 +40,17 @@ std::string describe(const RatioEstimate &ratio) {
                        ratio.ratio + kWide * ratio.standardError);
 }
 
+/// The exponent with which the error falls from one image to all together: -1/2 for independent
+/// samples, 0 for samples that are used again.
+std::string describeSlope(const RatioEstimate &squaredErrors) {
+    if (!(squaredErrors.ratio > 0))
+        return "cannot be told";
+    const double perLog = 0.5 / std::log(double{kReplicates});
+    const double wide = kWide * perLog * squaredErrors.standardError / squaredErrors.ratio;
+    const double slope = perLog * std::log(squaredErrors.ratio);
+    return fmt::format("{:.2f} (99.9 %: {:.2f} to {:.2f})", slope, slope - wide, slope + wide);
+}
+
 /// The three channels of each place together.
 std::vector<MomentSummary> flat(const RadianceSamples &samples) {
     const RadianceMoments channels = momentsOf(samples);
@@ -53,6 +65,7 @@ std::vector<MomentSummary> flat(const RadianceSamples &samples) {
 struct Noise {
     RatioEstimate between; ///< variance of replicates' means, over within
     RatioEstimate error;   ///< squared, over the variance that it should be
+    RatioEstimate decline; ///< squared error of all images together over that of one
     statistics::CommonError common;
     double mean = 0; ///< of our image
     std::optional<CheckResult> failure;
@@ -64,6 +77,27 @@ struct Noise {
 
     bool rejects(double level) const { return common.pValue <= level && bias() > kBiasTolerance; }
 };
+
+/// Errors against two independent halves of what should be seen, whose own noise their product does
+/// not hold.
+RatioEstimate measureDecline(const std::vector<std::vector<MomentSummary>> &images,
+                             const std::vector<MomentSummary> &together,
+                             const std::array<std::vector<MomentSummary>, 2> &halves,
+                             const statistics::RatioPlaces &places) {
+    const auto error = [&](const std::vector<MomentSummary> &image, std::size_t i) {
+        return (image[i].mean - halves[0][i].mean) * (image[i].mean - halves[1][i].mean);
+    };
+    std::vector<double> all;
+    std::vector<double> single;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        all.push_back(error(together, i));
+        double sum = 0;
+        for (const auto &image : images)
+            sum += error(image, i) / static_cast<double>(images.size());
+        single.push_back(sum);
+    }
+    return statistics::ratioOfSums(all, single, places);
+}
 
 /// Two processes with two images each: random numbers may be kept in a static variable.
 Noise measureNoise(CheckContext &context, int stage) {
@@ -79,6 +113,7 @@ Noise measureNoise(CheckContext &context, int stage) {
     std::vector<std::vector<MomentSummary>> references;
     RadianceSamples all(std::size_t{kImageSize} * kImageSize);
     RadianceSamples allOurs(all.places());
+    std::array<std::vector<MomentSummary>, 2> halves; ///< of ours
     const auto add = [](const ProbeAnswer &answer, int repeats, RadianceSamples &sum,
                         std::vector<std::vector<MomentSummary>> &to) {
         for (const protocol::Response &response : answer.responses) {
@@ -99,7 +134,10 @@ Noise measureNoise(CheckContext &context, int stage) {
                 makeResult(Verdict::Infra, "our own program gave no answer: " + failure->message);
             return noise;
         }
-        add(ours, kOurRepeats, allOurs, references);
+        RadianceSamples half(all.places());
+        add(ours, kOurRepeats, half, references);
+        halves[static_cast<std::size_t>(process)] = flat(half);
+        allOurs.merge(half);
     }
     const std::vector<MomentSummary> expected = flat(allOurs);
     for (const MomentSummary &value : expected)
@@ -108,6 +146,7 @@ Noise measureNoise(CheckContext &context, int stage) {
     const statistics::RatioPlaces places = {.channels = kChannels, .weights = weights};
     noise.between = statistics::betweenWithinRatio(images, places);
     noise.error = statistics::errorVarianceRatio(flat(all), expected, places);
+    noise.decline = measureDecline(images, flat(all), halves, places);
     std::vector<statistics::ImagePair> pairs;
     for (std::size_t i = 0; i < images.size(); i += 2)
         pairs.push_back({images[i], references[i], images[i + 1], references[i + 1]});
@@ -143,9 +182,10 @@ CheckResult judgeIndependence(CheckContext &context) {
         fmt::format(
             "Images with other random numbers have an error of {:.2g} % in common (rms; "
             "{:.2g} % would be found). Means of {} runs vary {} times as their samples say, "
-            "the squared error is {} times what they promise.",
+            "the squared error is {} times what they promise; from {} to {} samples it falls with "
+            "the slope {}.",
             100 * noise.bias(), 100 * detectableBias(noise), kReplicates, describe(noise.between),
-            describe(noise.error)));
+            describe(noise.error), kRepeats, kReplicates * kRepeats, describeSlope(noise.decline)));
     result.effect = noise.bias();
     result.p = noise.common.pValue;
     result.mde = detectableBias(noise);
