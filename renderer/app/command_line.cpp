@@ -99,7 +99,9 @@ std::optional<CommandLine> parseCommandLine(int argc, char **argv, int &exitCode
     app.add_option("FILE", files, "Scene (.xml), or an image (.exr) and one to compare it with")
         ->required()
         ->expected(1, 2);
-    app.add_option("--output", line.output, "Where to write, without suffix")->type_name("STEM");
+    app.add_option("--output", line.output, "Where to write, without suffix")
+        ->type_name("STEM")
+        ->check([](const std::string &stem) { return stem.empty() ? "is empty" : ""; });
     app.add_option("--spp", line.samplesPerPixel, "Samples per pixel, instead of the scene's")
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 24));

@@ -143,7 +143,7 @@ void writeExr(const nori::RenderResult &result, const TemporaryFile &file,
 void requireWritable(const std::string &stem) {
     const std::filesystem::path path = stem;
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    if (!path.has_filename())
+    if (!path.has_filename() || path.filename() == "." || path.filename() == "..")
         throw NoriException("%s: is a folder; the name of the image without suffix is expected",
                             stem);
     for (const char *suffix : {".exr", ".png"}) {

@@ -99,6 +99,10 @@ public:
     void setParent(NoriObject *parent) override {
         if (parent->getClassType() == EMesh)
             setMesh(static_cast<Mesh *>(parent));
+        else
+            throw NoriException(
+                "An area light stands in the <mesh> that it makes emit, not in a <%s>!",
+                classTypeName(parent->getClassType()));
     }
 
     void addChild(NoriObject *child, const std::string &name) override {

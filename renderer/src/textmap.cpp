@@ -14,7 +14,10 @@ public:
           m_bitmap(getFileResolver()->resolve(m_filename).str()),
           m_color(props.getColor("color", Color3f(1.0f))) {
         // Nori 2 accepts a scale and does not use it; scenes that carry one must look the same.
-        if (props.getFloat("scalex", 1.0f) != 1.0f || props.getFloat("scaley", 1.0f) != 1.0f)
+        // Both are read in any case: a property that nothing reads is unknown to the parser.
+        const float scaleX = props.getFloat("scalex", 1.0f);
+        const float scaleY = props.getFloat("scaley", 1.0f);
+        if (scaleX != 1.0f || scaleY != 1.0f)
             cerr << "textmap: scalex and scaley have no effect, as in Nori 2\n";
     }
 

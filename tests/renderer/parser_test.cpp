@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <nori/bitmap.h>
+
 #include <gtest/gtest.h>
 #include <pcg32.h>
 
@@ -137,6 +139,9 @@ std::vector<BrokenScene> brokenObjects() {
          in(R"(<emitter type="environment"><string name="filename" value="scene.xml"/>)"
             "</emitter>"),
          {R"(scene.xml:3: <emitter type="environment">)", "not an image file"}},
+        {"AreaLightWithoutMesh",
+         in(R"(<emitter type="area"/>)"),
+         {R"(scene.xml:3: <emitter type="area">: )", "stands in the <mesh>", "not in a <scene>"}},
         {"NoIntegrator",
          R"(<scene><camera type="perspective"/></scene>)",
          {"<scene>", "integrator"}},
@@ -181,6 +186,86 @@ TEST(Parser, ReadsAnEmptySceneWithNothingToSee) {
     EXPECT_TRUE(scene.getMeshes().empty());
     EXPECT_TRUE(scene.getLights().empty());
     EXPECT_EQ(scene.getCamera()->getOutputSize(), Vector2i(8, 720));
+}
+
+/// All that Nori 2 reads, at values that are not its defaults; for a filter at "FILTER".
+constexpr char kEveryProperty[] = R"(<scene>
+<integrator type="direct_ems"/>
+<sampler type="independent">
+    <integer name="sampleCount" value="7"/><integer name="seed" value="7"/>
+</sampler>
+<camera type="perspective">
+    <integer name="width" value="8"/><integer name="height" value="6"/>
+    <float name="fov" value="50"/>
+    <float name="nearClip" value="0.1"/><float name="farClip" value="100"/>
+    <transform name="toWorld">
+        <translate value="1, 2, 3"/><scale value="1, 2, 3"/><rotate angle="3" axis="0, 1, 0"/>
+        <matrix value="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"/>
+        <lookat origin="0, 0, 1" target="0, 0, 0" up="0, 1, 0"/>
+    </transform>
+    <rfilter FILTER</rfilter>
+</camera>
+<emitter type="pointlight">
+    <point name="position" value="1, 2, 3"/><color name="radiance" value="1, 0.5, 0"/>
+</emitter>
+<emitter type="environment">
+    <string name="filename" value="image.exr"/><color name="radiance" value="1, 0.5, 0"/>
+    <float name="rotate" value="30"/>
+</emitter>
+<mesh type="obj">
+    <string name="filename" value="mesh.obj"/>
+    <transform name="toWorld"><scale value="2, 2, 2"/></transform>
+    <bsdf type="diffuse"><color name="albedo" value="1, 0.5, 0"/></bsdf>
+    <emitter type="area">
+        <color name="radiance" value="1, 0.5, 0"/><float name="scale" value="2"/>
+        <texture type="checker" name="radiance"/>
+    </emitter>
+</mesh>
+<mesh type="obj">
+    <string name="filename" value="mesh.obj"/>
+    <bsdf type="diffuse">
+        <texture type="checker" name="albedo">
+            <color name="color" value="1, 0.5, 0"/>
+            <integer name="scalex" value="2"/><integer name="scaley" value="3"/>
+        </texture>
+    </bsdf>
+</mesh>
+<mesh type="obj">
+    <string name="filename" value="mesh.obj"/>
+    <bsdf type="diffuse">
+        <texture type="textmap" name="albedo">
+            <string name="filename" value="image.png"/><color name="color" value="1, 0.5, 0"/>
+            <float name="scalex" value="2"/><float name="scaley" value="3"/>
+        </texture>
+    </bsdf>
+</mesh>
+<mesh type="obj"><string name="filename" value="mesh.obj"/><bsdf type="mirror"/></mesh>
+<mesh type="obj">
+    <string name="filename" value="mesh.obj"/>
+    <bsdf type="dielectric">
+        <float name="intIOR" value="1.3"/><float name="extIOR" value="1.1"/>
+    </bsdf>
+</mesh>
+</scene>)";
+
+TEST(Parser, KnowsEveryPropertyOfNori2) {
+    const test::SceneFolder folder;
+    folder.write("mesh.obj", "v 1 0 0\nv 2 0 0\nv 1 1 0\nf 1 2 3\n");
+    const std::string exr = folder.write("image.exr", "");
+    const std::string stem = exr.substr(0, exr.rfind('.'));
+    Bitmap image(Vector2i(2, 2));
+    image.fill(Color3f(0.5f));
+    image.saveEXR(stem);
+    image.savePNG(stem);
+    for (const char *filter :
+         {R"(type="gaussian"><float name="radius" value="3"/><float name="stddev" value="0.7"/>)",
+          R"(type="mitchell"><float name="radius" value="3"/><float name="B" value="0.2"/>)"
+          R"(<float name="C" value="0.4"/>)",
+          R"(type="tent">)", R"(type="box">)"}) {
+        std::string text = kEveryProperty;
+        text.replace(text.find("FILTER"), 6, filter);
+        EXPECT_EQ(folder.errorOf(text), "");
+    }
 }
 
 TEST(Parser, ReadsCommasBlanksCommentsAndForeignLineEnds) {

@@ -211,7 +211,8 @@ TEST_F(Nori, SaysWhatIsWrongWithTheCommandLine) {
         {"scenes/small.xml", "--size", "40x36x2"},
         {"scenes/small.xml", "--size", "0x36"},
         {"scenes/small.xml", "--seed", "99999999999"},
-        {"scenes/small.xml", "--output"}};
+        {"scenes/small.xml", "--output"},
+        {"scenes/small.xml", "--output", ""}};
     for (const auto &mistake : mistakes) {
         EXPECT_EQ(run(mistake), 2) << testing::PrintToString(mistake);
         EXPECT_NE(errors().find("--help"), std::string::npos) << errors();
@@ -278,6 +279,8 @@ TEST_F(Nori, ReportsBeforeRenderingWhereItCannotWrite) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {"absent/image", "there is no folder absent"},
         {"scenes/", "is a folder"},
+        {".", ".: is a folder"},
+        {"scenes/..", "is a folder"},
         {"taken", "is a folder"},
         {"/proc/image", "/proc/image.exr: cannot be written"},
         {"black.xml/image", "there is no folder black.xml"}};
