@@ -120,6 +120,14 @@ TEST(Starter, IsWrittenAsAProjectWithoutGraderOrSolution) {
     EXPECT_FALSE(std::filesystem::exists(folder / "src/direct_ems.cpp"));
     EXPECT_FALSE(std::filesystem::exists(folder / "src/direct_mis.cpp"));
     EXPECT_FALSE(std::filesystem::exists(folder / "compat/probe"));
+    for (const auto &entry :
+         std::filesystem::recursive_directory_iterator(folder / "scenes/assignment-2")) {
+        if (entry.path().extension() != ".xml")
+            continue;
+        for (const char *ours : {"emitterSampling", "\"sampling\"", "applyRotate"})
+            EXPECT_EQ(readTextFile(entry.path()).find(ours), std::string::npos)
+                << entry.path() << " can only be rendered by the reference";
+    }
     EXPECT_THROW(writeStarter(folder), GraderError) << "must not write into a folder with files";
     std::filesystem::remove_all(folder);
 }
