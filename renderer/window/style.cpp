@@ -55,6 +55,7 @@ void setColors(Theme theme, ImGuiStyle &style) {
         style.Colors[ImGuiCol_TextDisabled] = rgb(0x9ca3af);
         style.Colors[ImGuiCol_Border] = rgb(0x4b5563);
     }
+    style.Colors[ImGuiCol_PopupBg].w = 1.0f; // nothing shines through a list
     if (theme == Theme::HighContrast) {
         for (const ImGuiCol color : {ImGuiCol_WindowBg, ImGuiCol_ChildBg, ImGuiCol_PopupBg})
             style.Colors[color] = rgb(0x000000);

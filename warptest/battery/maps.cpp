@@ -50,6 +50,14 @@ std::vector<double> cellMasses(const catalog::WarpEntry &truth, const DomainMap 
 
 } // namespace
 
+std::size_t worstCell(const Maps &maps) {
+    const auto worst =
+        std::max_element(maps.residual.begin(), maps.residual.end(),
+                         [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+    return worst == maps.residual.end() ? 0
+                                        : static_cast<std::size_t>(worst - maps.residual.begin());
+}
+
 int cellAt(const std::array<double, 2> &place, int side) {
     const auto index = [side](double x) {
         // the upper edge belongs to the map: cos(theta) may be 1

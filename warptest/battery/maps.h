@@ -42,6 +42,9 @@ Maps makeMaps(const catalog::WarpEntry &truth, double a, std::span<const Output>
 Maps mapsOfCounts(const catalog::WarpEntry &truth, double a, std::vector<double> observed,
                   std::size_t points);
 
+/// Index of the cell with the largest |residual|; 0 if there is none.
+std::size_t worstCell(const Maps &maps);
+
 /// The cell of a map that a place of [0, 1]^2 is in; its index, or -1 outside.
 int cellAt(const std::array<double, 2> &place, int side);
 

@@ -84,14 +84,6 @@ std::string colorBar(const std::string &low, const std::string &high,
 
 } // namespace
 
-std::size_t worstCell(const battery::Maps &maps) {
-    const auto worst =
-        std::max_element(maps.residual.begin(), maps.residual.end(),
-                         [](double a, double b) { return std::fabs(a) < std::fabs(b); });
-    return worst == maps.residual.end() ? 0
-                                        : static_cast<std::size_t>(worst - maps.residual.begin());
-}
-
 std::string placeOf(const battery::Maps &maps, std::size_t cell) {
     const auto side = static_cast<std::size_t>(maps.side);
     const std::array<std::size_t, 2> index{cell % side, cell / side};
@@ -107,7 +99,7 @@ std::string placeOf(const battery::Maps &maps, std::size_t cell) {
 
 std::string mapFigures(const battery::Maps &maps) {
     const double scale = std::max(maps.largest, 1.0);
-    const std::size_t worst = worstCell(maps);
+    const std::size_t worst = battery::worstCell(maps);
     std::string html = "<div class=\"maps\">\n";
     html += figure(maps, "Observed", "Map of the observed counts",
                    [&](std::size_t i) { return sizeColor(maps.observed[i] / scale); });

@@ -12,9 +12,6 @@ namespace grader {
 /// styles of their own; the classes `maps` and `map` are in kPageStyle.
 std::string mapFigures(const battery::Maps &maps);
 
-/// Index of the cell with the largest |residual|; 0 if there is none.
-std::size_t worstCell(const battery::Maps &maps);
-
 /// "x 0.28, y 0.91": the centre of a cell.
 std::string placeOf(const battery::Maps &maps, std::size_t cell);
 

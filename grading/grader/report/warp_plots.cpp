@@ -120,7 +120,7 @@ InlinePlot pValuePlot(std::span<const double> pValues) {
 }
 
 InlinePlot slicePlot(const battery::Maps &maps, std::size_t axis) {
-    const std::size_t cell = worstCell(maps);
+    const std::size_t cell = battery::worstCell(maps);
     const auto side = static_cast<std::size_t>(maps.side);
     const std::size_t column = cell % side;
     const std::size_t row = cell / side;

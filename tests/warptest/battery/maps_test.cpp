@@ -102,5 +102,17 @@ TEST(MapsOfCounts, SaysNothingOfCellsInWhichFewAreExpected) {
     EXPECT_NEAR(maps.residual[3], 23.0 / std::sqrt(5.0), 1e-9);
 }
 
+TEST(WorstCell, IsTheFarthestOffToEitherSide) {
+    const auto worstOf = [](const std::vector<double> &counts) {
+        return worstCell(mapsOfCounts(catalog::requireWarp("square"), 0.0, counts, 160));
+    };
+    std::vector<double> counts(16, 10.0);
+    counts[6] = 17.0;
+    EXPECT_EQ(worstOf(counts), 6U);
+    counts[9] = 0.0;
+    EXPECT_EQ(worstOf(counts), 9U);
+    EXPECT_EQ(worstCell({}), 0U);
+}
+
 } // namespace
 } // namespace battery

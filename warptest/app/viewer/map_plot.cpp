@@ -103,9 +103,10 @@ void MapPlot::drawMap(std::size_t which, float side) {
                         at.y + side - static_cast<float>(m_cell[1] + 1) * unit);
     ImGui::GetWindowDrawList()->AddRect(corner, ImVec2(corner.x + unit, corner.y + unit),
                                         ImGui::GetColorU32(window::palette().fail), 0.0F, 0, 2.0F);
-    const std::string axis =
-        fmt::format("{} {:.3g} … {:.3g}", domain.xLabel, domain.low[0], domain.high[0]);
-    ImGui::TextDisabled("%s", axis.c_str());
+    const std::string axes =
+        fmt::format("{} {:.3g} … {:.3g} →\n{} {:.3g} … {:.3g} ↑", domain.xLabel, domain.low[0],
+                    domain.high[0], domain.yLabel, domain.low[1], domain.high[1]);
+    ImGui::TextDisabled("%s", axes.c_str());
     ImGui::EndGroup();
 }
 
@@ -132,9 +133,8 @@ void MapPlot::drawCellText() const {
 void MapPlot::draw(const std::shared_ptr<const battery::Maps> &maps, float side) {
     if (maps != m_maps) {
         m_maps = maps;
-        for (int &index : m_cell) {
-            index = std::min(index, maps->side - 1);
-        }
+        const auto worst = static_cast<int>(battery::worstCell(*maps));
+        m_cell = {worst % maps->side, worst / maps->side};
         upload();
     }
     const ImGuiStyle &style = ImGui::GetStyle();

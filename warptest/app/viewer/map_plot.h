@@ -25,7 +25,7 @@ private:
 
     std::shared_ptr<const battery::Maps> m_maps;
     std::array<window::Texture, 3> m_textures;
-    std::array<int, 2> m_cell{0, 0}; ///< column, row: under the pointer, or typed
+    std::array<int, 2> m_cell{0, 0}; ///< column, row: the worst, under the pointer, or typed
 };
 
 /// A vertical bar with its legend at the cursor of ImGui.

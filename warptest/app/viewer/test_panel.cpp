@@ -74,14 +74,17 @@ void drawError(const char *what, const std::string &message) {
 
 } // namespace
 
-void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool stale) {
+void TestPanel::drawReport(const std::shared_ptr<const TestReport> &report, bool stale,
+                           bool errorIsShown) {
     if (stale) {
         colored(window::palette().check,
                 "▲ of other settings than those on the left; run again (R)");
     }
     colored(colorOf(report->result.verdict),
             fmt::format("{}: {}", label(report->result.verdict), report->result.headline));
-    drawError("it threw", report->result.error);
+    if (!errorIsShown) {
+        drawError("it threw", report->result.error);
+    }
     for (const std::string &remark : report->result.remarks) {
         ImGui::Bullet();
         wrapped(remark);
@@ -111,7 +114,9 @@ void TestPanel::draw(ViewModel &model) {
         colored(window::palette().muted,
                 fmt::format("{}: press R to test this warp, A to test all", label(Status::NotRun)));
     } else {
-        drawReport(report, model.isStale(*report));
+        const std::string &error = report->result.error;
+        drawReport(report, model.isStale(*report),
+                   error == cloud.warpError || error == cloud.densityError);
     }
     bool others = false;
     for (std::size_t i = 0; i < model.subjects().size(); ++i) {

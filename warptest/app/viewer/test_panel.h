@@ -14,7 +14,8 @@ public:
     void release() { m_maps.release(); }
 
 private:
-    void drawReport(const std::shared_ptr<const TestReport> &report, bool stale);
+    /// \param errorIsShown  what it threw stands there already, as the points threw it too
+    void drawReport(const std::shared_ptr<const TestReport> &report, bool stale, bool errorIsShown);
 
     MapPlot m_maps;
 };

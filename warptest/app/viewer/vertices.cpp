@@ -12,8 +12,8 @@ namespace {
 
 /// More strata than this are no longer seen as lines.
 constexpr int kMaxStrata = 64;
-/// Where the colours of points end: viridis' last yellow is not seen on white paper.
-constexpr double kBrightest = 0.85;
+/// Where the colours of points end: what follows is not seen on white paper.
+constexpr double kBrightest = 0.65;
 constexpr double kErrorRange = 0.01; ///< relative density error at the end of the colours
 
 using Line = std::vector<window::Vertex>;

@@ -21,15 +21,6 @@ std::size_t count(const std::string &text, const std::string &part) {
     return found;
 }
 
-TEST(WorstCell, IsTheFarthestOffToEitherSide) {
-    std::vector<double> counts(16, 10.0);
-    counts[6] = 17.0;
-    EXPECT_EQ(worstCell(mapsOf(counts)), 6U);
-    counts[9] = 0.0;
-    EXPECT_EQ(worstCell(mapsOf(counts)), 9U);
-    EXPECT_EQ(worstCell({}), 0U);
-}
-
 TEST(PlaceOf, IsTheCentreOfACell) {
     EXPECT_EQ(placeOf(mapsOf(std::vector<double>(16, 10.0)), 6), "x 0.625, y 0.375");
 }
