@@ -60,6 +60,7 @@ struct TestResult {
     std::vector<std::string> remarks; ///< what is wrong, and what it may mean
     std::string power;                ///< what would have been found, and what is left possible
     std::string error;                ///< what the warp or the density threw; empty: nothing
+    bool isStub = false;              ///< the error says that it is not implemented
     std::vector<Status> repeats;      ///< verdicts; the rest is of the first with the worst one
 
     /// Of the first stage's 32x32 histogram, of each repeat, against the exact density without any

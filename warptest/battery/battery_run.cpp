@@ -147,6 +147,7 @@ TestResult BatteryRun::run() {
         m_result.headline =
             failure.isStub ? "not implemented" : "it threw an exception, or did not answer";
         m_result.error = failure.message;
+        m_result.isStub = failure.isStub;
     }
     return std::move(m_result);
 }

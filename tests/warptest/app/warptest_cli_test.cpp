@@ -194,6 +194,17 @@ TEST_F(Warptest, SaysWhatIsNotImplemented) {
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.output.find("not implemented"), std::string::npos)
         << outcome.output << outcome.errors;
+
+    // the base's square is there; the tent is neither there nor asked for
+    const exam::Outcome all = run({"--all", "--against", path("warp.cpp")});
+    EXPECT_EQ(all.exitCode, 1);
+    EXPECT_NE(all.output.find("1 of 11 tests pass; not disk of warp.cpp, triangle of warp.cpp"),
+              std::string::npos)
+        << all.output;
+    EXPECT_EQ(all.output.find("tent"), std::string::npos) << all.output;
+    EXPECT_NE(all.errors.find("tent of warp.cpp: not implemented, and the handout does not ask"),
+              std::string::npos)
+        << all.errors;
 }
 
 #ifdef NORI_GUI
