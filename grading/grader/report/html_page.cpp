@@ -58,7 +58,8 @@ std::string isolated(std::string_view text) {
 }
 
 std::string itemTable(const SubmissionResult &result) {
-    std::string html = "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Item</th>";
+    std::string html =
+        "<div class=\"scroll stack\"><table>\n<thead><tr><th scope=\"col\">Item</th>";
     if (result.marked)
         html += R"(<th scope="col" class="number">Points</th>)";
     html += "<th scope=\"col\">Verdict</th><th scope=\"col\">Reason</th></tr></thead>\n<tbody>\n";
@@ -135,7 +136,7 @@ std::string checkTables(const SubmissionResult &result) {
             continue;
         const Look look = lookOf(item.verdict);
         html += fmt::format("<details{}><summary><span class=\"{}\">{}</span> {}</summary>\n"
-                            "<div class=\"scroll\"><table>\n<thead><tr>",
+                            "<div class=\"scroll stack\"><table>\n<thead><tr>",
                             item.verdict == Verdict::Pass ? "" : " open", look.style, look.sign,
                             escapeHtml(item.title));
         for (const char *head :

@@ -45,7 +45,12 @@ figure { margin: 0; }
 .plots figure { flex: 1 1 20rem; max-width: 30rem; }
 .plot { width: 100%; height: auto; }
 @media (prefers-color-scheme: dark) { .plot { filter: brightness(1.4); } }
-@media print { details, figure, tr { break-inside: avoid; } h2 { break-after: avoid; } }
+@media (max-width: 30rem) {
+  .stack table, .stack thead, .stack tbody { display: block; }
+  .stack tr { display: grid; grid-template-columns: repeat(3, 1fr); border-bottom: 1px solid var(--line); }
+  .stack th, .stack td { border: 0; min-width: 0; }
+  .stack tr > :last-child { grid-column: 1 / -1; } }
+@media print { details, figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } }
 )";
 
 } // namespace grader
