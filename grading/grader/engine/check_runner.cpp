@@ -23,20 +23,23 @@ constexpr BoxLimits kProbeLimits = {.cpu = std::chrono::seconds(20),
 
 class RunnerContext : public CheckContext {
 public:
-    RunnerContext(const Sandbox &sandbox, std::filesystem::path student,
-                  std::filesystem::path reference, std::string seedText, std::string digest)
+    /// \param interrupted  may be null; every question asks it, as checks ask many
+    RunnerContext(const Sandbox &sandbox, const std::atomic<bool> *interrupted,
+                  std::filesystem::path student, std::filesystem::path reference,
+                  std::string seedText, std::string digest)
         : m_sandbox(sandbox),
+          m_interrupted(interrupted),
           m_student(std::move(student)),
           m_reference(std::move(reference)),
           m_seedText(std::move(seedText)),
           m_digest(std::move(digest)) {}
 
     ProbeAnswer ask(const protocol::RequestGroup &group) override {
-        return timed(askProbe(m_sandbox, m_student, group, kProbeLimits));
+        return askOne(m_student, group);
     }
 
     ProbeAnswer askReference(const protocol::RequestGroup &group) override {
-        return timed(askProbe(m_sandbox, m_reference, group, kProbeLimits));
+        return askOne(m_reference, group);
     }
 
     /// The first stage is the same for every hand-in of a run, fair and reproducible; later ones
@@ -50,12 +53,16 @@ public:
     double sampleSeconds() const { return m_sampleSeconds; }
 
 private:
-    ProbeAnswer timed(ProbeAnswer answer) {
+    ProbeAnswer askOne(const std::filesystem::path &probe, const protocol::RequestGroup &group) {
+        if (m_interrupted != nullptr && *m_interrupted)
+            throw Interrupted();
+        ProbeAnswer answer = askProbe(m_sandbox, probe, group, kProbeLimits);
         m_sampleSeconds += answer.outcome.wallSeconds;
         return answer;
     }
 
     const Sandbox &m_sandbox;
+    const std::atomic<bool> *m_interrupted;
     std::filesystem::path m_student;
     std::filesystem::path m_reference;
     std::string m_seedText;
@@ -126,8 +133,6 @@ bool CheckRunner::upstreamAtFault(const Group &group) const {
 }
 
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
-    if (m_options.interrupted != nullptr && *m_options.interrupted)
-        throw Interrupted();
     if (!variant.executable) {
         const BuildFailure failure =
             variant.failures.empty() ? BuildFailure{} : variant.failures.back();
@@ -139,7 +144,7 @@ CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
         result.variant = variant.name;
         return result;
     }
-    RunnerContext context(m_sandbox, *variant.executable, m_referenceProbe,
+    RunnerContext context(m_sandbox, m_options.interrupted, *variant.executable, m_referenceProbe,
                           m_options.seedHex + "|" + check.id, m_digest);
     CheckResult result;
     try {

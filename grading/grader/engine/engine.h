@@ -24,7 +24,7 @@ struct EngineOptions {
     const Rubric *rubric = nullptr; ///< with its checks resolved
     const Rubric *asked = nullptr;  ///< the part of it that is graded: see withItems()
     const FigureScenes *scenes = nullptr; ///< what figures show; null: figures are not compared
-    const std::atomic<bool> *interrupted = nullptr; ///< polled between checks; may be null
+    const std::atomic<bool> *interrupted = nullptr; ///< polled between boxes; may be null
 };
 
 /// The machine gives less than the rubric asks for; the message says how to mend it.

@@ -261,8 +261,18 @@ void writeFiles(const SubmissionResult &result, const TerminalStyle &style, std:
 std::string sumLine(const SubmissionResult &result) {
     if (!std::isfinite(result.total))
         return "not graded";
-    if (result.marked)
-        return fmt::format("{} of {}", formatPoints(result.total), formatPoints(result.cap));
+    if (result.marked) {
+        double earned = 0;
+        for (const ItemResult &item : result.items)
+            earned += item.points;
+        const std::string sum =
+            fmt::format("{} of {}", formatPoints(result.total), formatPoints(result.cap));
+        // With a point lost beside it, a full sum would look like a mistake.
+        return earned > result.cap + 0.005
+                   ? fmt::format("{} ({} earned, the cap is {})", sum, formatPoints(earned),
+                                 formatPoints(result.cap))
+                   : sum;
+    }
     const auto right =
         std::count_if(result.items.begin(), result.items.end(),
                       [](const ItemResult &item) { return item.verdict == Verdict::Pass; });

@@ -113,6 +113,19 @@ TEST(TerminalReport, NamesTheFolderThatAllFilesAreInOnce) {
               std::string::npos);
 }
 
+TEST(TerminalReport, SaysWhatTheCapTook) {
+    SubmissionResult result;
+    result.marked = true;
+    result.cap = 100;
+    result.items.resize(2);
+    result.items[0].points = 90;
+    result.items[1].points = 10;
+    result.total = 100;
+    EXPECT_EQ(sumLine(result), "100 of 100");
+    result.items[1].points = 27.3;
+    EXPECT_EQ(sumLine(result), "100 of 100 (117.3 earned, the cap is 100)");
+}
+
 TEST(TerminalReport, SaysThatMarksAreNotFinal) {
     SubmissionResult result = support::sampleResult();
     result.items[0].checks[0].verdict = Verdict::Infra;
