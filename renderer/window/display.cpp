@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include <GLFW/glfw3.h>
 #include <imgui/backends/imgui_impl_glfw.h>
@@ -59,6 +61,7 @@ public:
         glfwSetKeyCallback( // ImGui's back-end calls it before its own
             m_window, [](GLFWwindow *window, int key, int scancode, int action, int modifiers) {
                 auto *const display = static_cast<Display *>(glfwGetWindowUserPointer(window));
+                display->note(key, action);
                 if (action != GLFW_RELEASE && (modifiers & GLFW_MOD_CONTROL) != 0)
                     display->press(characterOf(key, scancode));
             });
@@ -79,7 +82,26 @@ public:
     /// Presses of Ctrl + less those of Ctrl - since the last call.
     int takeScaleSteps() { return std::exchange(m_scaleSteps, 0); }
 
+    /// Keys that went down and up since the last call: while frames take long, most of them.
+    std::vector<int> takeShortKeys() {
+        m_pressed.clear();
+        return std::exchange(m_over, {});
+    }
+
 private:
+    void note(int key, int action) {
+        const auto isThis = [key](int other) {
+            return other == key;
+        };
+        if (action == GLFW_PRESS) {
+            m_pressed.push_back(key);
+            m_over.erase(std::remove_if(m_over.begin(), m_over.end(), isThis), m_over.end());
+        } else if (action == GLFW_RELEASE && key >= 0 &&
+                   std::any_of(m_pressed.begin(), m_pressed.end(), isThis)) {
+            m_over.push_back(key);
+        }
+    }
+
     /// With Ctrl held. Here and not in a frame: ImGui 1.86 misses what is over before the next one.
     void press(char key) {
         if (key == '+' || key == '=')
@@ -99,6 +121,27 @@ private:
     Ui &m_ui;
     GLFWwindow *m_window = nullptr;
     int m_scaleSteps = 0;
+    std::vector<int> m_pressed; ///< since the last frame
+    std::vector<int> m_over;    ///< those of them that are up again
+};
+
+/// Holds keys down for a frame: ImGui 1.86 looks only at what is down when the frame begins.
+class HeldKeys {
+public:
+    explicit HeldKeys(std::vector<int> keys) : m_keys(std::move(keys)) { set(true); }
+
+    ~HeldKeys() { set(false); }
+
+    HeldKeys(const HeldKeys &) = delete;
+    HeldKeys &operator=(const HeldKeys &) = delete;
+
+private:
+    void set(bool isDown) const {
+        for (const int key : m_keys)
+            ImGui::GetIO().KeysDown[key] = isDown;
+    }
+
+    std::vector<int> m_keys;
 };
 
 /// The GLFW back-end of ImGui, which must end before ImGui's context.
@@ -163,6 +206,7 @@ void runWindow(const Options &options, Ui &ui) {
             frames.changeScale(std::pow(kScaleStep, steps));
         if (width > 0 && height > 0) { // neither when it is iconified
             ImGui_ImplGlfw_NewFrame();
+            const HeldKeys held(display.takeShortKeys());
             open = frames.draw(width, height);
             glfwSwapBuffers(window);
         }

@@ -34,10 +34,10 @@ start_display() {
     for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
 }
 
-# wait_for_window NAME: 10 s at most; then it has the keyboard.
+# wait_for_window NAME: a minute at most; then it has the keyboard.
 wait_for_window() {
     local _
-    for _ in $(seq 100); do
+    for _ in $(seq 600); do
         xdotool search --name "$1" >/dev/null 2>&1 && break
         sleep 0.1
     done

@@ -2,11 +2,13 @@
 #include <fmt/core.h>
 
 #include <utility>
+#include <vector>
 
 #include <imgui/imgui.h>
 #include <preview/image_panel.h>
 #include <preview/show.h>
 #include <preview/side_panel.h>
+#include <window/key_help.h>
 #include <window/ui.h>
 
 namespace preview {
@@ -24,17 +26,24 @@ constexpr double kRefresh = 0.25; ///< cores are for rendering [s]
 
 constexpr const char *kViews[] = {"Image  (1)", "Reference  (2)", "Split  (3)", "Difference  (4)"};
 
-constexpr const char *kHelp =
-    "1, 2, 3, 4  image, reference, split, difference\n"
-    "Shift  hold to see the reference       , .  move the split line\n"
-    "E, Shift+E  exposure up, down          N  the brightest hundredth becomes white\n"
-    "+, -  zoom (also the wheel)            F  fit, 0  pixel by pixel, R  reset\n"
-    "Arrow keys  walk over the pixels       Ctrl + arrow key  16 at once; C  copy the values\n"
-    "I  mark pixels that are not a number, infinite or negative; J  go to the next one\n"
-    "Space  pause and go on                 Ctrl+S  stop and save what is there\n"
-    "B  outlines of blocks in work          T  theme: dark, light, high contrast\n"
-    "Ctrl +, Ctrl -  size of everything     Q  close: the render goes on in the terminal\n"
-    "An .exr dropped on the window is the reference. Far in, pixels show their values.";
+const std::vector<window::KeyHelp> kHelp = {
+    {"1, 2, 3, 4", "image, reference, split, difference"},
+    {"Shift", "hold to see the reference"},
+    {", .", "move the split line"},
+    {"E, Shift+E", "exposure up, down"},
+    {"N", "the brightest hundredth becomes white"},
+    {"+, -", "zoom (also the wheel)"},
+    {"F, 0, R", "fit, pixel by pixel, reset"},
+    {"Arrow keys", "walk over the pixels, with Ctrl 16 at once"},
+    {"C", "copy the values"},
+    {"I, J", "mark pixels that are not a number, infinite or negative; go to the next one"},
+    {"Space", "pause and go on"},
+    {"Ctrl+S", "stop and save what is there"},
+    {"B", "outlines of blocks in work"},
+    {"T", "theme: dark, light, high contrast"},
+    {"Ctrl +, Ctrl -", "size of everything"},
+    {"Q", "close: the render goes on in the terminal"},
+    {"", "An .exr dropped on the window is the reference. Far in, pixels show their values."}};
 
 class PreviewWindow : public window::Ui {
 public:
@@ -69,7 +78,7 @@ public:
                    ImGui::GetWindowHeight() - ImGui::GetTextLineHeight() - style.WindowPadding.y));
         ImGui::TextDisabled("%s", hint);
         ImGui::End();
-        drawHelp();
+        window::drawKeyHelp(m_openHelp, kHelp);
     }
 
     bool isBusy() const override {
@@ -262,20 +271,6 @@ private:
         ImGui::BeginChild("numbers", ImVec2(0, -status), true);
         drawSidePanel(m_model, frame.scale);
         ImGui::EndChild();
-    }
-
-    void drawHelp() {
-        if (m_openHelp) {
-            ImGui::OpenPopup("Keys");
-            m_openHelp = false;
-        }
-        if (ImGui::BeginPopupModal("Keys", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-            ImGui::TextUnformatted(kHelp);
-            if (ImGui::Button("Close  (Esc)") ||
-                ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-                ImGui::CloseCurrentPopup();
-            ImGui::EndPopup();
-        }
     }
 
     ViewModel &m_model;

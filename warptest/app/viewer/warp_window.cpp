@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <imgui/imgui.h>
 #include <viewer/controls_panel.h>
 #include <viewer/samples_panel.h>
 #include <viewer/test_panel.h>
 #include <viewer/warp_window.h>
+#include <window/key_help.h>
 
 namespace viewer {
 
@@ -16,16 +18,22 @@ constexpr float kControlsWidth = 270.0F; ///< at scale 1 [pixels]
 constexpr float kTestWidth = 420.0F;
 constexpr float kNarrow = 1040.0F; ///< below this the columns become tabs
 
-constexpr const char *kHelp =
-    "R  run the test of this warp          A  run all warps\n"
-    "Esc  cancel                           S  save the evidence\n"
-    "N, P  next and previous warp          E  type the parameter (Enter takes it)\n"
-    "G  warped grid                        1, 2, 3  the views of the points\n"
-    "T  theme: dark, light, high contrast  Ctrl +, Ctrl −  size of everything\n"
-    "Arrow keys walk through the controls, Space presses, Tab goes to the next field.\n"
-    "In the 3-D view drag to turn, wheel to zoom; in the flat ones drag to brush.\n"
-    "Each part has a twin on the command line: see warptest --help.\n"
-    "Q  quit                               ?  this help";
+const std::vector<window::KeyHelp> kHelp = {
+    {"R", "run the test of this warp"},
+    {"A", "run all warps"},
+    {"Esc", "cancel"},
+    {"S", "save the evidence"},
+    {"N, P", "next and previous warp"},
+    {"E", "type the parameter (Enter takes it)"},
+    {"G", "warped grid"},
+    {"1, 2, 3", "the views of the points"},
+    {"T", "theme: dark, light, high contrast"},
+    {"Ctrl +, Ctrl −", "size of everything"},
+    {"Q", "quit"},
+    {"?", "this help"},
+    {"", "Arrow keys walk through the controls, Space presses, Tab goes to the next field."},
+    {"", "In the 3-D view drag to turn, wheel to zoom; in the flat ones drag to brush."},
+    {"", "Each part has a twin on the command line: see warptest --help."}};
 
 class WarpWindow : public window::Ui {
 public:
@@ -54,7 +62,7 @@ public:
                         2.0F * ImGui::GetStyle().WindowPadding.x);
         ImGui::TextDisabled("%s", hint);
         ImGui::End();
-        drawHelp();
+        window::drawKeyHelp(m_openHelp, kHelp);
     }
 
     bool isBusy() const override { return m_model.runner().isBusy(); }
@@ -159,21 +167,6 @@ private:
         tab("Points", [this, &frame] { m_samples.draw(m_model, frame); });
         tab("Test", [this] { m_test.draw(m_model); });
         ImGui::EndTabBar();
-    }
-
-    void drawHelp() {
-        if (m_openHelp) {
-            ImGui::OpenPopup("Keys");
-            m_openHelp = false;
-        }
-        if (ImGui::BeginPopupModal("Keys", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-            ImGui::TextUnformatted(kHelp);
-            if (ImGui::Button("Close")) {
-                ImGui::CloseCurrentPopup();
-            }
-            ImGui::SetItemDefaultFocus();
-            ImGui::EndPopup();
-        }
     }
 
     ViewModel &m_model;
