@@ -22,6 +22,7 @@ using Json = nlohmann::json;
 
 const std::string kRenderer = std::string(NORI_SOURCE_DIR) + "/renderer/src/warp.cpp";
 
+#ifdef NORI_GUI
 std::string textChunk(const std::string &file, const std::string &key) {
     std::FILE *const stream = std::fopen(file.c_str(), "rb");
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -39,6 +40,7 @@ std::string textChunk(const std::string &file, const std::string &key) {
     std::fclose(stream);
     return found;
 }
+#endif
 
 /// The program itself.
 class Warptest : public testing::Test {
