@@ -7,6 +7,7 @@
 #include <grader/text_file.h>
 
 #include <utility>
+#include <vector>
 
 #include <viewer/cloud.h>
 #include <viewer/report_json.h>
@@ -29,10 +30,11 @@ grader::TestedWarp shown(const viewer::Tested &test) {
     const double a = settings.parameter;
     warp.inputs = viewer::makeInputs(settings);
     warp.points = subject.warp(warp.inputs, a);
+    const std::vector<battery::Output> independent =
+        subject.warp(battery::randomInputs(viewer::kMapPoints, settings.seed), a);
+    warp.moments = battery::momentRows(*subject.truth, a, independent);
     if (test.report.result.verdict == battery::Status::Fail) {
-        warp.mistakes = battery::rankMistakes(
-            *subject.truth, a,
-            subject.warp(battery::randomInputs(viewer::kMapPoints, settings.seed), a));
+        warp.mistakes = battery::rankMistakes(*subject.truth, a, independent);
     }
     return warp;
 }

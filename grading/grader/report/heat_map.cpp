@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include <window/color_map.h>
 
@@ -82,6 +84,32 @@ std::string colorBar(const std::string &low, const std::string &high,
         low, kBarSteps, steps, high);
 }
 
+/// The cells that are farthest off, at most kWorstCells.
+std::string worstCells(const battery::Maps &maps) {
+    constexpr std::size_t kWorstCells = 5;
+    std::vector<std::size_t> order(maps.residual.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::size_t count = std::min(kWorstCells, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                      order.end(), [&](std::size_t a, std::size_t b) {
+                          return std::fabs(maps.residual[a]) > std::fabs(maps.residual[b]);
+                      });
+    std::string html = "<details><summary>The five cells that are farthest off</summary>\n"
+                       "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Cell</th>"
+                       "<th scope=\"col\" class=\"number\">Observed</th>"
+                       "<th scope=\"col\" class=\"number\">Expected</th>"
+                       "<th scope=\"col\" class=\"number\">σ</th></tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t cell = order[i];
+        html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{:.0f}</td>"
+                            "<td class=\"number\">{:.1f}</td><td class=\"number\">{:+.1f}</td>"
+                            "</tr>\n",
+                            placeOf(maps, cell), maps.observed[cell], maps.expected[cell],
+                            maps.residual[cell]);
+    }
+    return html + "</tbody>\n</table></div></details>\n";
+}
+
 } // namespace
 
 std::string placeOf(const battery::Maps &maps, std::size_t cell) {
@@ -122,7 +150,7 @@ std::string mapFigures(const battery::Maps &maps) {
         "expected.</p>\n",
         maps.points, maps.side, maps.side, maps.outside, battery::kMinExpected,
         maps.residual[worst], placeOf(maps, worst), maps.observed[worst], maps.expected[worst]);
-    return html;
+    return html + worstCells(maps);
 }
 
 } // namespace grader

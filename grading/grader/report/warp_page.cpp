@@ -52,6 +52,18 @@ std::string healthTable(const battery::TestResult &result) {
     return table({"Health", "Found", "Expected", "Verdict"}, rows);
 }
 
+std::string momentTable(const std::vector<battery::MomentRow> &moments) {
+    if (moments.empty())
+        return {};
+    std::string rows;
+    for (const battery::MomentRow &row : moments)
+        rows +=
+            fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{:.5f} ± {:.5f}</td>"
+                        "<td class=\"number\">{:.5f}</td><td class=\"number\">{:+.1f}</td></tr>\n",
+                        row.name, row.found, row.standardError, row.expected, row.z());
+    return "<h3>Moments</h3>\n" + table({"Moment", "Found", "Expected", "z"}, rows);
+}
+
 std::string mistakeTable(const TestedWarp &test) {
     std::string rows;
     const std::size_t count = std::min(kShownMistakes, test.mistakes.size());
@@ -104,7 +116,7 @@ std::string section(const TestedWarp &test, std::size_t index) {
     }
     if (!test.maps.observed.empty())
         html += mapFigures(test.maps);
-    html += healthTable(result);
+    html += healthTable(result) + momentTable(test.moments);
     if (!result.power.empty())
         html += fmt::format("<p>{}</p>\n", escapeHtml(result.power));
     html += mistakeTable(test);

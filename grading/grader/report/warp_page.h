@@ -3,6 +3,7 @@
 
 #include <battery/battery.h>
 #include <battery/maps.h>
+#include <battery/moment_rows.h>
 
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct TestedWarp {
     double significance = 1e-4;
     battery::Maps maps;                          ///< without cells: not shown
     std::vector<battery::MistakeMatch> mistakes; ///< best first
+    std::vector<battery::MomentRow> moments;     ///< of the maps' points; empty: not shown
     std::vector<battery::Input> inputs;          ///< of the points that are shown
     std::vector<battery::Output> points;         ///< shape as `inputs`, or empty
     std::string pointSet;                        ///< "stratified"

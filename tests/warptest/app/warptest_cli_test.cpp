@@ -136,8 +136,9 @@ TEST_F(Warptest, PageIsWholeWithoutScriptsAndNetwork) {
     for (const char *part :
          {"default-src 'none'", "style-src 'sha256-", "✖ fail", "Map of the residuals",
           "Nearest known mistakes", "The square root is missing", "Samples: stratified",
-          "Histogram of the residuals", "Counts along y", "Sorted p-values of all seeds", "χ²",
-          "--points stratified", "prefers-color-scheme: dark", "@media print"})
+          "mean of x²", "farthest off", "Histogram of the residuals", "Counts along y",
+          "Sorted p-values of all seeds", "χ²", "--points stratified", "prefers-color-scheme: dark",
+          "@media print"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     // nothing runs, nothing is fetched, and no style but the one that the policy names
     for (const char *part : {"<script>", "src=", " style=", "onload", "url(", "@import"})

@@ -50,6 +50,19 @@ TEST(MapFigures, DrawEachCellOnceWithRowZeroAtTheBottom) {
     EXPECT_EQ(html.find("d=\"M0 0h1v1h-1z\""), std::string::npos);
 }
 
+TEST(MapFigures, ListTheFiveCellsThatAreFarthestOff) {
+    std::vector<double> counts(16, 10.0);
+    for (std::size_t i = 0; i < 6; ++i)
+        counts[i] = 20.0 - static_cast<double>(i);
+    const std::string html = mapFigures(mapsOf(counts));
+    EXPECT_EQ(count(html, "<th scope=\"row\">"), 5U);
+    EXPECT_NE(html.find("x 0.125, y 0.125</th><td class=\"number\">20</td><td "
+                        "class=\"number\">10.0</td><td class=\"number\">+3.2</td>"),
+              std::string::npos)
+        << html;
+    EXPECT_EQ(html.find("<td class=\"number\">15</td>"), std::string::npos);
+}
+
 TEST(MapFigures, ShowCellsWithoutAResidualInGrey) {
     EXPECT_EQ(count(mapFigures(mapsOf(std::vector<double>(16, 10.0))), "#808080"), 0U);
     const std::string few = mapFigures(mapsOf(std::vector<double>(16, 1.0), 16));
