@@ -140,6 +140,37 @@ RatioEstimate errorVarianceRatio(std::span<const MomentSummary> image,
     return ratioOfSums(errors, variances, places);
 }
 
+double errorPValue(std::span<const MomentSummary> image, std::span<const MomentSummary> right,
+                   std::span<const MomentSummary> reference, const RatioPlaces &places) {
+    const std::size_t values = image.size();
+    requireShape(right.size() == values && reference.size() == values && places.channels > 0 &&
+                     values >= 2 * places.channels && values % places.channels == 0 &&
+                     (places.weights.empty() || places.weights.size() == values),
+                 "errorPValue");
+    const auto weight = [&](std::size_t i) {
+        return places.weights.empty() ? 1.0 : places.weights[i];
+    };
+    double promised = 0.0;
+    double promisedRight = 0.0;
+    for (std::size_t i = 0; i < values; ++i) {
+        const double common = reference[i].variance / reference[i].count;
+        promised += weight(i) * (image[i].variance / image[i].count + common);
+        promisedRight += weight(i) * (right[i].variance / right[i].count + common);
+    }
+    const double scale = promisedRight > 0.0 ? promised / promisedRight : 1.0;
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < values; i += places.channels) {
+        double sum = 0.0;
+        for (std::size_t c = i; c < i + places.channels; ++c) {
+            const double own = image[c].mean - reference[c].mean;
+            const double other = right[c].mean - reference[c].mean;
+            sum += weight(c) * (own * own - scale * other * other);
+        }
+        differences.push_back(sum);
+    }
+    return signFlipPValue(differences, kSignSeed);
+}
+
 RatioEstimate varianceRatio(std::span<const MomentSummary> image,
                             std::span<const MomentSummary> reference, const RatioPlaces &places) {
     requireShape(image.size() == reference.size(), "varianceRatio");

@@ -70,6 +70,18 @@ RatioEstimate errorVarianceRatio(std::span<const MomentSummary> image,
                                  std::span<const MomentSummary> reference,
                                  const RatioPlaces &places = {});
 
+/// Whether the squared error of an image is what its noise says: two-sided p-value.
+///
+/// An image of samples of the same law as `right`'s errs from the reference as much, so that the
+/// differences of their squared errors are symmetric about 0, whatever that law: signFlipPValue().
+/// Another right estimator has other noise; `right`'s squares are scaled by what the variances of
+/// both promise.
+/// \param right      of as many samples as `image`
+/// \param reference  independent of both
+/// \throws std::invalid_argument  if the shapes differ or there are less than 2 places
+double errorPValue(std::span<const MomentSummary> image, std::span<const MomentSummary> right,
+                   std::span<const MomentSummary> reference, const RatioPlaces &places = {});
+
 /// Variance of one sample, of one image over another's, both summed over the places.
 /// \throws std::invalid_argument  if the shapes differ or there are less than 2 places
 RatioEstimate varianceRatio(std::span<const MomentSummary> image,

@@ -102,6 +102,35 @@ TEST(Replicates, TheCommonErrorIsTheBiasAndNothingElse) {
     EXPECT_LT(common(image(1), image(1)).pValue, kLevel) << "the same noise twice";
 }
 
+TEST(Replicates, TheErrorIsWhatTheNoiseSays) {
+    const std::vector<MomentSummary> right = image(21);
+    const std::vector<MomentSummary> reference = image(22);
+    EXPECT_GT(errorPValue(image(1), right, reference), kLevel);
+    EXPECT_LT(errorPValue(image(1, 0, 1.2), right, reference), kLevel);
+    // a fifth of the samples is one number again: the mean is right, its error is not
+    EXPECT_LT(errorPValue(image(1, 0.2), right, reference), kLevel);
+    std::vector<MomentSummary> smoothed = image(1);
+    for (std::size_t i = 0; i < kPlaces; ++i)
+        smoothed[i].mean = 0.5 * (smoothed[i].mean + reference[i].mean);
+    EXPECT_LT(errorPValue(smoothed, right, reference), kLevel) << "too small";
+    // Another estimator with four times the variance: as good as right.
+    std::vector<MomentSummary> noisier = image(2);
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+        const double mean = 0.5 + static_cast<double>(i % 7);
+        noisier[i].mean = mean + 2 * (noisier[i].mean - mean);
+        noisier[i].variance *= 4;
+    }
+    EXPECT_GT(errorPValue(noisier, right, reference), kLevel);
+}
+
+TEST(Replicates, ErrorsKeepTheirLevel) {
+    constexpr std::uint64_t kRuns = 400;
+    int below = 0;
+    for (std::uint64_t run = 0; run < kRuns; ++run)
+        below += errorPValue(image(3 * run), image(3 * run + 1), image(3 * run + 2)) <= 0.05;
+    EXPECT_NEAR(below, 20, 21); // 4.9 deviations of 4.4
+}
+
 TEST(Replicates, WeightsKeepOneNoisyPlaceFromDecidingAlone) {
     std::vector<MomentSummary> a = image(1);
     std::vector<MomentSummary> b = image(2);
