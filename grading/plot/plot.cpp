@@ -44,7 +44,8 @@ std::string dataOf(const LogLogPlot &plot) {
 
 std::string scriptOf(const LogLogPlot &plot, const std::string &data) {
     std::string text = "# gnuplot -e \"set terminal pngcairo; set output 'plot.png'\" THIS\n";
-    text += "set encoding utf8\nset logscale xy\nset grid back linewidth 0.5\nset key outside "
+    text += "set encoding utf8\nset logscale xy\nset grid back linewidth 0.5 linecolor rgb "
+            "'#909090'\nset key outside "
             "bottom center horizontal height 1\nset border 3\nset tics nomirror\nset format x "
             "'%g'\nset format y '%g'\n";
     // Every number of samples that was measured is labelled, and nothing else.
