@@ -129,4 +129,11 @@ std::vector<float> Recording::samples(const std::vector<float> &pixels, std::uin
     return result;
 }
 
+std::vector<double> Recording::means(std::size_t channel) const {
+    std::vector<double> result(kPixels);
+    for (std::size_t i = 0; i < kPixels * kSamples; ++i)
+        result[i / kSamples] += static_cast<double>(m_values[3 * i + channel]) / kSamples;
+    return result;
+}
+
 } // namespace calibration

@@ -13,6 +13,7 @@ namespace calibration {
 
 constexpr int kSide = 32;                              ///< pixels
 constexpr std::size_t kPixels = kSide * kSide;         ///< of an image
+constexpr int kTileSize = 8;                           ///< pixels
 constexpr std::size_t kSamples = std::size_t{1} << 12; ///< recorded per pixel
 
 /// Samples of Li through every pixel of a scene, from which any number of runs is drawn: the law of
@@ -33,6 +34,9 @@ public:
     /// The samples themselves, as a probe would answer for these pixels.
     std::vector<float> samples(const std::vector<float> &pixels, std::uint32_t count,
                                statistics::Random &random) const;
+
+    /// Mean of the recorded samples of each pixel: the truth of everything that is drawn.
+    std::vector<double> means(std::size_t channel) const;
 
 private:
     std::vector<float> m_values; ///< shape [kPixels, kSamples, 3]
