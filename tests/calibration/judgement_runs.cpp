@@ -83,14 +83,14 @@ bool isKept(Asked asked, int fail, int judgements) {
 
 } // namespace
 
-bool runJudgements(int judgements, std::uint64_t seed) {
+bool runJudgements(int judgements, const std::string &only, std::uint64_t seed) {
     bool good = true;
     const Recording ours(kPlantedScene, seed);
     fmt::print(
         "Whole judgements of the same scene, {} each (a pass states: within 2 % as a whole, 15 "
         "% in a tile):\n",
         judgements);
-    for (const Planted &mistake : plantedMistakes()) {
+    for (const Planted &mistake : plantedMistakes(only)) {
         Recording student(kPlantedScene, seed, mistake.integrator);
         student.plant(mistake.change);
         const Ends ends = judge(student, ours, judgements, seed);

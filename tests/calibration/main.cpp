@@ -12,6 +12,7 @@ struct Options {
     int judgements = 100;
     std::uint64_t seed = 1;
     bool power = false;
+    std::string only;
 };
 
 /// \return  the exit code
@@ -32,11 +33,15 @@ int calibrate(int argc, char **argv) {
                    "With --power: whole judgements per mistake; each takes 0.2 s")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    app.add_option("--only", options.only, "With --power: mistakes with this in their names")
+        ->type_name("TEXT");
     CLI11_PARSE(app, argc, argv);
     if (!options.power)
         return calibration::runNull(options.runs, options.seed) ? 0 : 1;
-    const bool statistics = calibration::runPowerOfStatistics(options.runs, options.seed);
-    const bool judgements = calibration::runJudgements(options.judgements, options.seed);
+    const bool statistics =
+        calibration::runPowerOfStatistics(options.runs, options.only, options.seed);
+    const bool judgements =
+        calibration::runJudgements(options.judgements, options.only, options.seed);
     return statistics && judgements ? 0 : 1;
 }
 

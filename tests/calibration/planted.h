@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "recording.h"
@@ -26,7 +27,7 @@ struct Planted {
 /// The scene in which mistakes are planted.
 extern const char *const kPlantedScene;
 
-/// No mistake, then one of each kind.
-std::vector<Planted> plantedMistakes();
+/// No mistake, then one of each kind; those with `only` in their names.
+std::vector<Planted> plantedMistakes(const std::string &only);
 
 } // namespace calibration

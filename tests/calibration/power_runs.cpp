@@ -256,14 +256,14 @@ bool report(const Planted &planted, int repeats, const Rate &rate, int runs) {
 
 } // namespace
 
-bool runPowerOfStatistics(int runs, std::uint64_t seed) {
+bool runPowerOfStatistics(int runs, const std::string &only, std::uint64_t seed) {
     bool good = true;
     const Recording ours(kPlantedScene, seed);
     statistics::Random random(statistics::deriveSeed(seed, "power"));
     fmt::print("Single statistics of the scene `{}` at a level of {:.2g}, and of a pixel at {:.2g} "
                "with {} times the\nsamples per pixel that stand here:\n",
                kPlantedScene, kLevel, kPixelLevel, kPixelFactor);
-    for (const Planted &planted : plantedMistakes()) {
+    for (const Planted &planted : plantedMistakes(only)) {
         Recording student(kPlantedScene, seed, planted.integrator);
         student.plant(planted.change);
         ImageRuns image(student, ours);

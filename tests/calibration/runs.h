@@ -19,10 +19,11 @@ bool runNull(int runs, std::uint64_t seed);
 /// Mistakes planted in correct code, at fixed numbers of samples: prints how often each statistic
 /// finds them, and how often its noise promises that. \return  whether every rate is what was
 /// promised, within its binomial 99.9 % limits, and nearly 1 from the minimal detectable error on
-bool runPowerOfStatistics(int runs, std::uint64_t seed);
+/// \param only  part of the mistakes' names
+bool runPowerOfStatistics(int runs, const std::string &only, std::uint64_t seed);
 
 /// How whole judgements of the grader end on them. \return  whether right code never fails, and
 /// what no pass allows fails in 99.9 % of them, within the binomial 99.9 % limits
-bool runJudgements(int judgements, std::uint64_t seed);
+bool runJudgements(int judgements, const std::string &only, std::uint64_t seed);
 
 } // namespace calibration
