@@ -40,10 +40,7 @@ int main(int argc, char **argv) {
     try {
         return namesImage(line->file) ? viewImage(*line) : renderScene(*line, cancelled);
     } catch (const preview::CannotShow &error) {
-        fmt::print(stderr,
-                   "nori: {}. Without --window nori works in the terminal alone; "
-                   "--screenshot FILE.png needs no display.\n",
-                   error.what());
+        fmt::print(stderr, "nori: {}.\n", error.what());
         return kNoWindow;
     } catch (const std::exception &error) {
         fmt::print(stderr, "Error: {}\n", error.what());

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include <viewer/battery_report.h>
@@ -24,7 +25,14 @@ void showWarpWindow(const CommandLine &line, const std::vector<viewer::Subject> 
     options.textFile = line.textFile;
     options.runAtStart = line.run;
     options.tab = line.tab - 1;
-    viewer::showWindow(subjects, std::move(actions), line.settings, options);
+    try {
+        viewer::showWindow(subjects, std::move(actions), line.settings, options);
+    } catch (const window::NoWindow &error) {
+        throw std::runtime_error(
+            fmt::format("{}. `warptest WARP` tests without a window, `--screenshot FILE` draws one "
+                        "without a display",
+                        error.what()));
+    }
 }
 
 std::string saveEvidence(const viewer::Subject &subject, const viewer::TestReport &report,

@@ -36,10 +36,7 @@ ExitCode show(CommandLine line, const std::vector<viewer::Subject> &subjects) {
         showWarpWindow(line, subjects);
         return ExitCode::Pass;
     } catch (const std::runtime_error &error) {
-        fmt::print(stderr,
-                   "warptest: {}. `warptest WARP` tests without a window, `--screenshot "
-                   "FILE` draws one without a display.\n",
-                   error.what());
+        fmt::print(stderr, "warptest: {}.\n", error.what());
         return ExitCode::Usage;
     }
 }

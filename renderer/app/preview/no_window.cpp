@@ -8,7 +8,9 @@ bool canShow() {
 }
 
 void show(ViewModel &, const WindowOptions &) {
-    throw CannotShow("this nori was built without windows (NORI_GUI=OFF)");
+    throw CannotShow(
+        "this nori was built without windows (NORI_GUI=OFF). Without --window it works "
+        "in the terminal alone");
 }
 
 } // namespace preview

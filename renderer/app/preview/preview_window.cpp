@@ -296,7 +296,9 @@ void show(ViewModel &model, const WindowOptions &options) {
         else
             window::drawToFile(frame, contents, options.screenshot, options.textFile);
     } catch (const window::NoWindow &error) {
-        throw CannotShow(error.what());
+        throw CannotShow(std::string(error.what()) +
+                         ". Without --window nori works in the terminal alone; "
+                         "--screenshot FILE.png needs no display");
     }
 }
 

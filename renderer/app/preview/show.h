@@ -17,7 +17,7 @@ struct WindowOptions {
     std::string textFile;       ///< with a screenshot: the window's texts as well
 };
 
-/// There can be no window: what() is half a sentence that says why.
+/// There can be no window: what() says why and what to do instead, without the last full stop.
 class CannotShow : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
