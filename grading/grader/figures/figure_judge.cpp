@@ -3,6 +3,7 @@
 
 #include <grader/digest.h>
 #include <grader/error.h>
+#include <grader/figures/plateau.h>
 #include <grader/scenes/scene_bundle.h>
 #include <grader/scenes/test_scene.h>
 #include <statistics/random.h>
@@ -17,9 +18,11 @@ namespace grader {
 
 namespace {
 
-constexpr int kPatches = 48;
-/// Of these, those in which the code's own renders show noise are taken: black ones tell nothing.
-constexpr int kCandidates = 4 * kPatches;
+/// The second look is for a figure in which no lack of noise would be found in as few as the first.
+constexpr int kPatches[] = {48, 192};
+/// Times as many, of which those are taken in which the code's own renders show noise: black ones
+/// tell nothing.
+constexpr int kCandidates = 4;
 constexpr int kPilotSamples = 4;
 /// A match that would not notice twice the brightness is none.
 constexpr double kUsefulMde = 1;
@@ -39,7 +42,6 @@ constexpr double kOnlyNoise = 2.5;
 constexpr double kSimilar = 0.8; ///< correlation of a noisy picture with the one that it shows
 constexpr double kKept = 0.4;    ///< of the noise of patches, by smoothing
 constexpr std::size_t kClampSpots = 16;
-constexpr std::size_t kPlateau = 8; ///< pixels that hold the largest value of all
 
 /// Larger patches where samples are few.
 int sideFor(int samples) {
@@ -48,31 +50,6 @@ int sideFor(int samples) {
 
 std::uint64_t seedOf(const std::string &text, const char *purpose) {
     return std::stoull(sha256Hex(fmt::format("{}|{}", text, purpose)).substr(0, 16), nullptr, 16);
-}
-
-/// Where an image holds its largest value; none where hardly a pixel does.
-struct Plateau {
-    float value = 0;
-    std::vector<std::size_t> spots; ///< channel + 3 * pixel
-};
-
-Plateau plateauOf(const protocol::Image &image) {
-    Plateau plateau;
-    constexpr const char *kNames[] = {"R", "G", "B"};
-    for (std::size_t c = 0; c < 3; ++c) {
-        const std::vector<float> &values = image.channel(kNames[c])->values;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!(values[i] >= plateau.value) || !std::isfinite(values[i]))
-                continue;
-            if (values[i] > plateau.value)
-                plateau.spots.clear();
-            plateau.value = values[i];
-            plateau.spots.push_back(c + 3 * i);
-        }
-    }
-    if (plateau.spots.size() < kPlateau || plateau.value <= 0)
-        plateau.spots.clear();
-    return plateau;
 }
 
 class Judge {
@@ -91,13 +68,34 @@ public:
         if (!bundle.film)
             return cannotTell("The scene's film is not the Gaussian one.");
         m_plan.film = *bundle.film;
+        if (!look(bundle, kPatches[0], m_seed))
+            return cannotTell(m_trouble);
+        if (m_result.verdict == FigureVerdict::Match && m_lessNoiseMde <= 0 && countsNoise()) {
+            const FigureResult first = m_result;
+            const bool isLooked = look(bundle, kPatches[1], m_seed + "|again");
+            if (!isLooked || m_rendered < m_samples)
+                m_result = first;
+        }
+        if (std::abs(bundle.width * m_plan.height - bundle.height * m_plan.width) > bundle.width)
+            m_result.message +=
+                fmt::format(" (It has {} x {} pixels, the scene says {} x {}.)", m_plan.width,
+                            m_plan.height, bundle.width, bundle.height);
+        return m_result;
+    }
+
+private:
+    using Renders = std::array<PatchImage, 3>;
+
+    /// Sets the result. \return  false if the hand-in's code does not render the scene
+    bool look(const SceneBundle &bundle, int patches, const std::string &seed) {
+        m_lookSeed = seed;
         std::optional<Renders> renders;
-        if (choosePatches(bundle)) {
+        if (choosePatches(bundle, patches)) {
             addClampSpots();
             renders = render(bundle, m_samples, "");
         }
         if (!renders)
-            return cannotTell(m_trouble);
+            return false;
         const bool isClamped = lookAtClampSpots(*renders);
         FigureFindings found = examine(*renders);
         if (m_figure.samples > m_rendered) { // of the stated samples, not of the fewer rendered
@@ -109,16 +107,15 @@ public:
         m_result.mde = found.meanMde;
         m_result.noise = found.noiseRatio;
         m_result.p = std::min(1.0, 3 * std::min({found.meanP, found.moreNoiseP, found.lessNoiseP}));
+        m_lessNoiseMde = found.lessNoiseMde;
         decide(found, isClamped);
-        if (std::abs(bundle.width * m_plan.height - bundle.height * m_plan.width) > bundle.width)
-            m_result.message +=
-                fmt::format(" (It has {} x {} pixels, the scene says {} x {}.)", m_plan.width,
-                            m_plan.height, bundle.width, bundle.height);
-        return m_result;
+        return true;
     }
 
-private:
-    using Renders = std::array<PatchImage, 3>;
+    /// Whether its noise is to be that of the samples that it states.
+    bool countsNoise() const {
+        return m_figure.samples > 0 && m_figure.scene.fit != FigureScenes::Fit::Variant;
+    }
 
     SceneBundle bundleOf(const std::string &scene) const {
         return readSceneBundle(m_check.scenes.file(scene), ImageSize{m_plan.width, m_plan.height});
@@ -131,20 +128,20 @@ private:
     }
 
     /// Those that show noise in a render of their own come first; else any.
-    bool choosePatches(const SceneBundle &bundle) {
-        m_plan.patches = spreadPatches(m_plan.width, m_plan.height, kCandidates, sideFor(m_samples),
-                                       seedOf(m_seed, "patches"));
+    bool choosePatches(const SceneBundle &bundle, int count) {
+        m_plan.patches = spreadPatches(m_plan.width, m_plan.height, kCandidates * count,
+                                       sideFor(m_samples), seedOf(m_lookSeed, "patches"));
         const auto pilot = render(bundle, kPilotSamples, "pilot");
         if (!pilot)
             return false;
         std::vector<std::size_t> order(m_plan.patches.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        statistics::Random random(seedOf(m_seed, "choice"));
+        statistics::Random random(seedOf(m_lookSeed, "choice"));
         for (std::size_t i = order.size(); i > 1; --i)
             std::swap(order[i - 1], order[random.nextBelow(i)]);
         std::stable_partition(order.begin(), order.end(),
                               [&](std::size_t i) { return (*pilot)[0][i] != (*pilot)[1][i]; });
-        order.resize(std::min<std::size_t>(order.size(), kPatches));
+        order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
         std::vector<Patch> chosen;
         chosen.reserve(order.size());
         for (const std::size_t i : order)
@@ -157,8 +154,8 @@ private:
     void addClampSpots() {
         if (m_scale == PixelScale::Levels)
             return; // a PNG cannot hold more
-        m_plateau = plateauOf(m_figure.image);
-        statistics::Random random(seedOf(m_seed, "plateau"));
+        m_plateau = findPlateau(m_figure.image);
+        statistics::Random random(seedOf(m_lookSeed, "plateau"));
         std::vector<std::size_t> &spots = m_plateau.spots;
         for (std::size_t i = 0; i < std::min(spots.size(), kClampSpots); ++i) {
             std::swap(spots[i], spots[i + random.nextBelow(spots.size() - i)]);
@@ -178,9 +175,9 @@ private:
                 protocol::Request request;
                 request.op = protocol::Op::Film;
                 request.text = TestScene::kFileName;
-                request.seed = seedOf(m_seed + purpose, which);
+                request.seed = seedOf(m_lookSeed + purpose, which);
                 request.values =
-                    filmPoints(m_plan, count, seedOf(m_seed + purpose + "points", which));
+                    filmPoints(m_plan, count, seedOf(m_lookSeed + purpose + "points", which));
                 group.requests.push_back(std::move(request));
             }
             const ProbeAnswer answer = m_check.ask(group);
@@ -258,8 +255,7 @@ private:
                              found.correlation > kSimilar;
         if (!sameMeans && !isNoise)
             return decideDifference(found, set);
-        const bool isVariant = m_figure.scene.fit == FigureScenes::Fit::Variant;
-        const bool noiseCounts = m_figure.samples > 0 && !isVariant;
+        const bool noiseCounts = countsNoise();
         if (noiseCounts && found.moreNoiseP <= kFigureLevel)
             return set(FigureVerdict::DifferentNoise, true,
                        fmt::format("The same picture with {:.2g} times the variance of {} samples "
@@ -354,8 +350,10 @@ private:
     PatchPlan m_plan;
     std::size_t m_tested = 0; ///< patches of the tests; spots of the plateau follow
     Plateau m_plateau;
-    int m_samples = 0;  ///< wanted of a render
-    int m_rendered = 0; ///< what it got
+    std::string m_lookSeed;
+    double m_lessNoiseMde = 0; ///< of the last look
+    int m_samples = 0;         ///< wanted of a render
+    int m_rendered = 0;        ///< what it got
     std::string m_trouble;
     FigureResult m_result;
 };
