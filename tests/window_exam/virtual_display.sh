@@ -38,11 +38,14 @@ start_display() {
 wait_for_window() {
     local _
     for _ in $(seq 600); do
-        xdotool search --name "$1" >/dev/null 2>&1 && break
+        # a window that is not drawn yet cannot have the keyboard
+        if xdotool search --onlyvisible --name "$1" windowfocus >/dev/null 2>&1; then
+            sleep 1
+            return
+        fi
         sleep 0.1
     done
-    xdotool search --name "$1" windowfocus 2>/dev/null || return 1
-    sleep 1
+    return 1
 }
 
 keys() { for key in "$@"; do xdotool key "$key"; sleep 0.2; done; }

@@ -103,7 +103,6 @@ constexpr auto kEquivalences = std::to_array<Equivalence>({
     {"alpha_ignored_1", 1.0, "alpha is 1"},
     {"alpha_ignored_0_1", 0.1, "alpha is 0.1"},
     {"missing_arctangent", 0.01, kSmallAngle},
-    {"missing_arctangent", 0.03, kSmallAngle},
     {"missing_cosine", 0.01, "the lobe is so narrow that cos = 1"},
     {"alpha_tenth_percent_off", 0.01, "rounding of cos moves the points more"},
 });

@@ -75,7 +75,7 @@ void print(const Configuration &item, const Row &row, int seeds, Tally &tally) {
         tally.stockKilled += row.stockAccepts ? 0 : 1;
     } else {
         ++tally.equivalent;
-        right = row.distance.isWithinRounding();
+        right = row.distance.isWithinRounding() && row.killed == 0;
         remark = fmt::format("= right: {} (points within {:.1e} of {:.1e}, pdf within {:.1e} of "
                              "{:.1e})",
                              item.equivalence, row.distance.warp, row.distance.warpTolerance,
