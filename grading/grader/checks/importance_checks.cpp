@@ -22,24 +22,23 @@ constexpr double kVarianceTolerance = 0.1;
 constexpr std::size_t kBatches = 16;
 constexpr std::size_t kBatchSize = 512;
 
-CheckResult uniformChoice() {
-    return makeResult(Verdict::Missing, "Every light is chosen with the same probability: there is "
-                                        "no importance sampling of the lights.");
-}
-
-CheckResult noChoice() {
-    return makeResult(Verdict::Missing,
-                      "A sample does not come from one light: no light is chosen.");
+/// Why there is no choice by importance that could be right or wrong; nothing if there is one.
+std::optional<CheckResult> nothingToJudge(const LightChoice &choice) {
+    if (choice.failure)
+        return choice.failure;
+    if (choice.recognised < 0.99)
+        return makeResult(Verdict::Missing,
+                          "A sample does not come from one light: no light is chosen.");
+    if (choice.isUniform())
+        return makeResult(Verdict::Missing, "Every light is chosen with the same probability: "
+                                            "there is no importance sampling of the lights.");
+    return std::nullopt;
 }
 
 CheckResult judgeChoice(CheckContext &context) {
     const LightChoice choice = measureChoice(context);
-    if (choice.failure)
-        return *choice.failure;
-    if (choice.recognised < 0.99)
-        return noChoice();
-    if (choice.isUniform())
-        return uniformChoice();
+    if (const auto nothing = nothingToJudge(choice))
+        return *nothing;
     const ChoiceLaw law = nearestLaw(choice);
     CheckResult result = makeResult(
         law.error <= kTolerance ? Verdict::Pass : Verdict::Fail,
@@ -63,12 +62,8 @@ CheckResult judgeChoice(CheckContext &context) {
 /// Lights that are never chosen are missing from the image.
 CheckResult judgeEveryLight(CheckContext &context) {
     const LightChoice choice = measureEveryKind(context);
-    if (choice.failure)
-        return *choice.failure;
-    if (choice.recognised < 0.99)
-        return noChoice();
-    if (choice.isUniform())
-        return uniformChoice();
+    if (const auto nothing = nothingToJudge(choice))
+        return *nothing;
     const auto isMissing = [&](std::size_t light) {
         return choice.frequencies[light] == 0;
     };
@@ -89,12 +84,8 @@ CheckResult judgeEveryLight(CheckContext &context) {
 
 CheckResult judgeUnbiased(CheckContext &context) {
     const LightChoice choice = measureChoice(context);
-    if (choice.failure)
-        return *choice.failure;
-    if (choice.recognised < 0.99)
-        return noChoice();
-    if (choice.isUniform())
-        return uniformChoice();
+    if (const auto nothing = nothingToJudge(choice))
+        return *nothing;
     CheckResult result = judgeRadiance(context, choice.test);
     result.diagnoses = {{"importance.not_divided", 0.6}};
     return result;
@@ -144,12 +135,8 @@ constexpr double kQuantile = 3.73;
 /// with what the measured law promises, and with lights that are alike as a control.
 CheckResult judgeImprovement(CheckContext &context) {
     const LightChoice choice = measureChoice(context);
-    if (choice.failure)
-        return *choice.failure;
-    if (choice.recognised < 0.99)
-        return noChoice();
-    if (choice.isUniform())
-        return uniformChoice();
+    if (const auto nothing = nothingToJudge(choice))
+        return *nothing;
     const ChoiceLaw law = nearestLaw(choice);
     const std::vector<double> &chosen =
         law.error <= kTolerance ? law.probabilities : choice.frequencies;
