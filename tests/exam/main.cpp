@@ -17,6 +17,8 @@
 #include "hand_in.h"
 #include "machine.h"
 #include "measurement.h"
+#include "stability.h"
+#include "verdict_times.h"
 #include "work_folder.h"
 
 namespace {
@@ -186,6 +188,10 @@ int hold(int argc, char **argv) {
     const std::string_view verb = argc > 1 ? argv[1] : "";
     if (verb == "mutants" || verb == "variants")
         return exam::measure(argc - 1, argv + 1);
+    if (verb == "stability")
+        return exam::measureStability(argc - 1, argv + 1);
+    if (verb == "verdict-times")
+        return exam::measureVerdictTimes(argc - 1, argv + 1);
     Options options;
     CLI::App app("Grades the hand-ins of tests/submissions and prints expected against got.\n"
                  "Exit code: 0 all as expected, 1 some not, 2 the exam could not be held.",

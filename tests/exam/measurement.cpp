@@ -4,30 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <csignal>
 #include <iostream>
-#include <mutex>
+#include <map>
 #include <thread>
 
-#include "command.h"
-#include "result_cache.h"
+#include "grading_queue.h"
 #include "summary.h"
-#include "work_folder.h"
 
 namespace exam {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kInterrupted = 75;
-
-std::atomic<bool> interrupted = false; // NOLINT: a signal can reach nothing else
 
 struct Options {
     fs::path project;
@@ -47,21 +36,13 @@ struct Task {
     int round = 0;        ///< seed
 };
 
-/// Works off all tasks on several threads, tells how long the rest will take, and keeps every
-/// result, so that a run that was interrupted goes on where it was.
+/// Grades the patches and judges what comes of it.
 class Measurement {
 public:
     Measurement(const Options &options, const std::string &verb)
         : m_options(options),
           m_patches(findPatches(options.project / "tests" / verb, options.only)),
-          m_cache(options.cache,
-                  {options.norigrade, options.project / "renderer",
-                   options.project / "grading" / "probe", options.project / "grading" / "protocol",
-                   options.project / "grading" / "rubrics", options.project / "scenes" / "grading",
-                   options.project / "scenes" / "assignment-2" / "serapis"}),
-          m_judgements(m_patches.size()),
-          m_start(std::chrono::steady_clock::now()),
-          m_terminal(isatty(STDERR_FILENO) != 0) {
+          m_judgements(m_patches.size()) {
         for (int round = 0; round < options.whole; ++round)
             addTasks(false, round);
         for (int round = 0; round < options.seeds; ++round)
@@ -69,18 +50,14 @@ public:
     }
 
     void run() {
-        std::vector<std::thread> threads;
-        threads.reserve(static_cast<std::size_t>(m_options.jobs));
-        for (int i = 0; i < m_options.jobs; ++i)
-            threads.emplace_back([&] {
-                for (std::size_t at = m_next++; at < m_tasks.size() && !interrupted; at = m_next++)
-                    perform(m_tasks[at]);
-            });
-        for (std::thread &thread : threads)
-            thread.join();
-        clearProgress();
-        if (!m_error.empty())
-            throw ExamError(m_error);
+        GradingQueue queue({m_options.project, m_options.norigrade, m_options.cache},
+                           m_options.jobs);
+        std::vector<GradingTask> gradings;
+        for (const Task &task : m_tasks)
+            gradings.push_back(gradingOf(task));
+        m_done = queue.run(gradings, [this](std::size_t at, const std::string &json) {
+            add(m_tasks[at], judge(m_patches[m_tasks[at].patch], parseResults(json)));
+        });
     }
 
     std::vector<PatchRecord> records() const {
@@ -106,36 +83,16 @@ private:
         }
     }
 
-    void perform(const Task &task) {
+    GradingTask gradingOf(const Task &task) const {
         const Patch &patch = m_patches[task.patch];
-        const fs::path scratch =
-            m_work.path() / fmt::format("{}-{}-{}", task.patch, task.ownItem, task.round);
-        try {
-            fs::create_directories(scratch);
-            const fs::path handIn =
-                apply(patch, m_options.project / "tests" / "submissions", scratch);
-            const Question question{seedOf(task.round), task.ownItem ? patch.item : ""};
-            const std::string key = m_cache.key(handIn, question.seed + question.item);
-            std::optional<std::string> json = m_cache.find(key);
-            const bool isNew = !json;
-            if (isNew) {
-                json = gradeToJson(m_options.norigrade, handIn, question, 1, scratch);
-                m_cache.store(key, *json);
-            }
-            add(task, judge(patch, parseResults(*json)), isNew);
-        } catch (const std::exception &error) {
-            const std::lock_guard lock(m_mutex);
-            if (!interrupted)
-                m_error = fmt::format("{}: {}", patch.name, error.what());
-            interrupted = true;
-        }
-        std::error_code ignored;
-        fs::remove_all(scratch, ignored);
+        return {patch.name,
+                [this, &patch](const fs::path &scratch) {
+                    return apply(patch, m_options.project / "tests" / "submissions", scratch);
+                },
+                {seedOf(task.round), task.ownItem ? patch.item : ""}};
     }
 
-    void add(const Task &task, const Judgement &judgement, bool isNew) {
-        const std::lock_guard lock(m_mutex);
-        clearProgress();
+    void add(const Task &task, const Judgement &judgement) {
         const Patch &patch = m_patches[task.patch];
         const std::string name =
             patch.name + (task.ownItem     ? fmt::format(" (item, seed {})", task.round)
@@ -151,47 +108,14 @@ private:
                    patch.costName(), diagnosis, judgement.got);
         std::cout << std::flush;
         m_judgements[task.patch][{task.ownItem, task.round}] = judgement;
-        ++m_done;
-        m_new += isNew ? 1 : 0;
-        showProgress();
-    }
-
-    void clearProgress() const {
-        if (m_terminal)
-            std::cerr << "\r\x1b[K" << std::flush;
-    }
-
-    void showProgress() const {
-        if (!m_terminal || m_new == 0)
-            return;
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-        const double left =
-            seconds / static_cast<double>(m_new) * static_cast<double>(m_tasks.size() - m_done);
-        std::cerr << fmt::format("{} of {}, {:.0f} min left", m_done, m_tasks.size(), left / 60)
-                  << std::flush;
     }
 
     Options m_options;
     std::vector<Patch> m_patches;
-    ResultCache m_cache;
-    WorkFolder m_work;
     std::vector<Task> m_tasks;
     std::vector<std::map<std::pair<bool, int>, Judgement>> m_judgements; ///< by patch
-    std::chrono::steady_clock::time_point m_start;
-    bool m_terminal;
-    std::atomic<std::size_t> m_next = 0;
-    std::size_t m_done = 0, m_new = 0;
-    std::string m_error;
-    std::mutex m_mutex;
+    std::size_t m_done = 0;
 };
-
-std::string commitOf(const fs::path &project) {
-    const WorkFolder work;
-    const Outcome outcome =
-        runCommand({"git", "-C", project.string(), "describe", "--always", "--dirty"}, work.path());
-    return outcome.output.substr(0, outcome.output.find('\n'));
-}
 
 } // namespace
 
@@ -227,13 +151,12 @@ int measure(int argc, char **argv) {
                "Exit codes: 0 all as expected, 1 some not, 2 usage, 75 interrupted.");
     CLI11_PARSE(app, argc, argv);
 
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { interrupted = true; });
+    catchInterrupts();
     Measurement measurement(options, verb);
     measurement.run();
     const std::vector<PatchRecord> records = measurement.records();
     fmt::print("\n{}", summarise(records));
-    if (interrupted) {
+    if (isInterrupted()) {
         fmt::print(stderr, "interrupted: {} of {} gradings done; call again to go on\n",
                    measurement.done(), measurement.tasks());
         return kInterrupted;

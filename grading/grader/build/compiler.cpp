@@ -18,10 +18,15 @@ namespace {
 
 constexpr char kGxx[] = "/usr/bin/g++";
 
+/// Another one only for `./run stability`, which asks whether verdicts hang on it.
+#ifndef NORI_HAND_IN_OPTIMISATION
+#define NORI_HAND_IN_OPTIMISATION "-O2"
+#endif
+
 /// The course's own flags as far as they decide numbers; no -march, so that every machine gets the
 /// same ones. The limits make errors short and template or constexpr bombs end.
 const std::vector<std::string> kFlags = {"-std=gnu++17",
-                                         "-O2",
+                                         NORI_HAND_IN_OPTIMISATION,
                                          "-w",
                                          "-pipe",
                                          "-fmax-errors=20",

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "grading_queue.h"
+#include "hand_in.h"
+#include "patch.h"
+#include "stability.h"
+#include "summary.h"
+
+namespace exam {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of tests/submissions: two conventions, and mistakes of every kind of check. What is borderline
+/// stands in tests/borderline.
+const std::vector<std::string> kAccepted = {"accepted/reference"};
+const std::vector<std::string> kWrong = {"wrong/mesh_first_triangle_only", "wrong/ems_no_pick_pdf"};
+
+struct Options {
+    GradingPlaces places;
+    fs::path unoptimised; ///< norigrade that builds hand-ins with -O0
+    fs::path record;      ///< Markdown file; empty: none
+    std::string only;
+    int seeds = 60;
+    int settings = 3;
+    int jobs = 1;
+};
+
+/// A hand-in and how it is put together.
+struct StableHandIn {
+    StabilityRecord record;
+    std::function<fs::path(const fs::path &scratch)> compose;
+};
+
+std::vector<StableHandIn> findHandIns(const Options &options) {
+    const fs::path submissions = options.places.project / "tests" / "submissions";
+    std::vector<StableHandIn> found;
+    const auto isWanted = [&](const std::string &name) {
+        return name.find(options.only) != std::string::npos;
+    };
+    const auto addCase = [&](const std::string &name, Standing standing) {
+        if (!isWanted(name))
+            return;
+        const Case which = findCases(submissions, name).front();
+        found.push_back(
+            {{name, "", standing, {}, {}, {}},
+             [submissions, which, norigrade = options.places.norigrade](const fs::path &scratch) {
+                 return compose(submissions, which, norigrade, scratch);
+             }});
+    };
+    for (const std::string &name : kAccepted)
+        addCase(name, Standing::Accepted);
+    for (const Patch &patch : findPatches(options.places.project / "tests" / "borderline", "")) {
+        const std::string name = "borderline/" + patch.name;
+        if (isWanted(name))
+            found.push_back({{name, patch.what, Standing::Borderline, {}, {}, {}},
+                             [submissions, patch](const fs::path &scratch) {
+                                 return apply(patch, submissions, scratch);
+                             }});
+    }
+    for (const std::string &name : kWrong)
+        addCase(name, Standing::Wrong);
+    if (found.empty())
+        throw ExamError(fmt::format("no hand-in has \"{}\" in its name", options.only));
+    return found;
+}
+
+/// Which gradings of a record a task belongs to.
+enum class Setting { Seed, Pair, Plain };
+
+struct Place {
+    std::size_t handIn = 0;
+    Setting setting = Setting::Seed;
+    int round = 0;
+};
+
+std::vector<Graded> &gradingsOf(StabilityRecord &record, Setting setting) {
+    switch (setting) {
+    case Setting::Pair:
+        return record.pairs;
+    case Setting::Plain:
+        return record.plain;
+    case Setting::Seed:
+        break;
+    }
+    return record.seeds;
+}
+
+/// \return  how many are done
+std::size_t grade(const Options &options, const fs::path &norigrade,
+                  const std::vector<Place> &where, std::vector<StableHandIn> &handIns) {
+    GradingPlaces places = options.places;
+    places.norigrade = norigrade;
+    GradingQueue queue(places, options.jobs);
+    std::vector<GradingTask> tasks;
+    for (const Place &place : where) {
+        const StableHandIn &handIn = handIns[place.handIn];
+        tasks.push_back({handIn.record.name,
+                         handIn.compose,
+                         {seedOf(place.round), ""},
+                         place.setting == Setting::Pair ? 2 : 1});
+        gradingsOf(handIns[place.handIn].record, place.setting).emplace_back();
+    }
+    return queue.run(tasks, [&](std::size_t at, const std::string &json) {
+        const Place &place = where[at];
+        StabilityRecord &record = handIns[place.handIn].record;
+        const Graded graded = parseResults(json);
+        gradingsOf(record, place.setting)[static_cast<std::size_t>(place.round)] = graded;
+        fmt::print("{:<40} seed {:<3} {:<14} {}\n", record.name, place.round,
+                   place.setting == Setting::Pair    ? "two processes"
+                   : place.setting == Setting::Plain ? "-O0"
+                                                     : "",
+                   describe(graded));
+        std::cout << std::flush;
+    });
+}
+
+/// One round over all hand-ins after the other, so that what is interrupted has seen all.
+std::vector<Place> rounds(std::size_t handIns, Setting setting, int count) {
+    std::vector<Place> places;
+    for (int round = 0; round < count; ++round) {
+        for (std::size_t i = 0; i < handIns; ++i)
+            places.push_back({i, setting, round});
+    }
+    return places;
+}
+
+} // namespace
+
+int measureStability(int argc, char **argv) {
+    Options options;
+    options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    CLI::App app("Grades the same right, borderline and wrong hand-ins again and again: with other "
+                 "seeds, with two\nprocesses at the same time, and built without optimisation.",
+                 "./run stability");
+    app.add_option("--project", options.places.project, "The project's folder")->required();
+    app.add_option("--norigrade", options.places.norigrade, "The program to examine")->required();
+    app.add_option("--unoptimised", options.unoptimised,
+                   "The same program, which builds hand-ins with -O0")
+        ->required();
+    app.add_option("--cache", options.places.cache, "Where results are kept")->required();
+    app.add_option("--only", options.only, "Only those with this text in their name")
+        ->option_text("TEXT");
+    app.add_option("--seeds", options.seeds, "Gradings of each hand-in, a seed each")
+        ->check(CLI::Range(1, 10'000))
+        ->capture_default_str();
+    app.add_option("--settings", options.settings,
+                   "Seeds that are graded with two processes and with -O0, too")
+        ->check(CLI::Range(0, 10'000))
+        ->capture_default_str();
+    app.add_option("--jobs", options.jobs, "Gradings at the same time")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    app.add_option("--record", options.record, "Write the table into this Markdown file")
+        ->option_text("FILE");
+    app.footer("Results are kept: a second call grades only what has changed.\n"
+               "Exit codes: 0 all as expected, 1 some not, 2 usage, 75 interrupted.");
+    CLI11_PARSE(app, argc, argv);
+    options.settings = std::min(options.settings, options.seeds);
+
+    catchInterrupts();
+    std::vector<StableHandIn> handIns = findHandIns(options);
+    std::vector<Place> optimised = rounds(handIns.size(), Setting::Seed, options.seeds);
+    const std::vector<Place> pairs = rounds(handIns.size(), Setting::Pair, options.settings);
+    const std::vector<Place> plain = rounds(handIns.size(), Setting::Plain, options.settings);
+    optimised.insert(optimised.end(), pairs.begin(), pairs.end());
+    std::size_t done = grade(options, options.places.norigrade, optimised, handIns);
+    if (!isInterrupted())
+        done += grade(options, options.unoptimised, plain, handIns);
+    if (isInterrupted()) {
+        fmt::print(stderr, "interrupted: {} of {} gradings done; call again to go on\n", done,
+                   optimised.size() + plain.size());
+        return kInterrupted;
+    }
+    std::vector<StabilityRecord> records;
+    for (const StableHandIn &handIn : handIns)
+        records.push_back(handIn.record);
+    fmt::print("\n{}", describeStability(records));
+    if (!options.record.empty())
+        replaceSection(options.record, "stability",
+                       stabilityMarkdown(records, commitOf(options.places.project)));
+    const bool right =
+        std::all_of(records.begin(), records.end(),
+                    [](const StabilityRecord &record) { return record.asExpected(); });
+    return right ? 0 : 1;
+}
+
+} // namespace exam
