@@ -38,6 +38,9 @@ struct Attack {
     const char *name; ///< of the mode, program or source
     const char *tries;
     End end;
+    /// The check that it wants to pass without doing what it asks; the rest of a cheat is right and
+    /// worth its points. Null: nothing in it is.
+    const char *claim = nullptr;
     grader::SandboxLevel contained = grader::SandboxLevel::S2; ///< weakest level that contains it
 };
 

@@ -5,6 +5,9 @@ namespace attack {
 
 const std::vector<Attack> &attackTable() {
     using enum Kind;
+    static constexpr char kSamples[] = "warp.disk.samples";
+    static constexpr char kDensity[] = "warp.disk.density";
+    static constexpr char kOutside[] = "warp.disk.outside";
     static const std::vector<Attack> kTable = {
         // A: faking the verdict
         {'A', Cheat, "prints_googletest", "prints that all tests passed, and leaves", End::Any},
@@ -15,8 +18,9 @@ const std::vector<Attack> &attackTable() {
         {'A', Cheat, "aborts", "aborts before it answers", End::Any},
         {'A', Cheat, "throws", "lets an exception out of main()", End::Any},
         {'A', Cheat, "exits_in_another_thread", "ends the process from another thread", End::Any},
-        {'A', Cheat, "answers_after_its_end", "answers from an exit handler", End::Any},
-        {'A', Cheat, "leaves_its_main_thread", "keeps answering after main() has ended", End::Any},
+        {'A', Cheat, "answers_after_its_end", "answers from an exit handler", End::Any, kSamples},
+        {'A', Cheat, "leaves_its_main_thread", "keeps answering after main() has ended", End::Any,
+         kSamples},
         {'A', Cheat, "copies_the_questions", "gives the questions back", End::Any},
         {'A', Cheat, "answers_zeros", "marks zeros as answers", End::Any},
         {'A', Cheat, "claims_cpu_time", "claims negative CPU time", End::Any},
@@ -118,21 +122,23 @@ const std::vector<Attack> &attackTable() {
         {'D', Escape, "writes_control_text", "puts escapes and bad UTF-8 into the log", End::Exit},
         {'D', Hostile, "print_much", "prints 300 kB just before it ends", End::Exit},
         // E: right numbers, or nearly, by another way
-        {'E', Cheat, "own_numbers", "draws its own random numbers", End::Any},
-        {'E', Cheat, "own_numbers_remembered", "and remembers them by sample", End::Any},
-        {'E', Cheat, "rejection", "seeds a rejection with the sample", End::Any},
-        {'E', Cheat, "shuffled", "gives right points in another order", End::Any},
-        {'E', Cheat, "jittered", "adds noise of its own", End::Any},
-        {'E', Cheat, "prepared", "gives a prepared list of points", End::Any},
-        {'E', Cheat, "coarse", "looks points up in a small table", End::Any},
-        {'E', Cheat, "tires_after_thousand", "is right for the first thousand only", End::Any},
-        {'E', Cheat, "only_for_few_questions", "is right when asked little", End::Any},
+        {'E', Cheat, "own_numbers", "draws its own random numbers", End::Any, kSamples},
+        {'E', Cheat, "own_numbers_remembered", "and remembers them by sample", End::Any, kSamples},
+        {'E', Cheat, "rejection", "seeds a rejection with the sample", End::Any, kSamples},
+        {'E', Cheat, "shuffled", "gives right points in another order", End::Any, kSamples},
+        {'E', Cheat, "jittered", "adds noise of its own", End::Any, kSamples},
+        {'E', Cheat, "prepared", "gives a prepared list of points", End::Any, kSamples},
+        {'E', Cheat, "coarse", "looks points up in a small table", End::Any, kSamples},
+        {'E', Cheat, "tires_after_thousand", "is right for the first thousand only", End::Any,
+         kSamples},
+        {'E', Cheat, "only_for_few_questions", "is right when asked little", End::Any, kSamples},
         {'E', Cheat, "remembers_where_it_was_asked", "knows densities of its own points only",
-         End::Any},
-        {'E', Cheat, "density_everywhere", "gives the density outside, too", End::Any},
-        {'E', Cheat, "wrong_and_consistent", "is wrong in warp and density alike", End::Any},
-        {'E', Cheat, "only_one_side", "covers half of the disk, and says so", End::Any},
-        {'E', Cheat, "slow_and_right", "computes for ever before it is right", End::Any},
+         End::Any, kDensity},
+        {'E', Cheat, "density_everywhere", "gives the density outside, too", End::Any, kOutside},
+        {'E', Cheat, "wrong_and_consistent", "is wrong in warp and density alike", End::Any,
+         kSamples},
+        {'E', Cheat, "only_one_side", "covers half of the disk, and says so", End::Any, kSamples},
+        {'E', Cheat, "slow_and_right", "computes for ever before it is right", End::Any, kSamples},
     };
     return kTable;
 }

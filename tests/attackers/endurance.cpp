@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// `./run endurance [--launches N] [--kills K] [--level S2|S3]`: starts boxes and ends them, and
-// kills graders at random moments after they have started one; then looks for what is left.
+// `./run endurance`: starts boxes and ends them, and kills graders at random moments after they
+// have started one, at both levels; then looks for what is left.
 #include <grader/sandbox/orphans.h>
 #include <grader/sandbox/supervisor.h>
 
-#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "../grading/grader/sandbox/hostile_box.h"
+#include <exam/summary.h>
 
 namespace {
 
@@ -29,7 +31,33 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// What was seen at one level.
+struct Outcome {
+    int launches = 0, wrongEnds = 0, processesLeft = 0, groupsLeft = 0;
+    long descriptorsMore = 0;
+    long memoryMore = 0;                     ///< resident [KiB]
+    double median = 0, p99 = 0, longest = 0; ///< of a launch, from start to everything gone [ms]
+    int kills = 0, livedOn = 0, survivors = 0, groupsAfterKills = 0, processesAfterKills = 0;
+
+    bool isWell() const {
+        return wrongEnds == 0 && processesLeft == 0 && groupsLeft == 0 && descriptorsMore == 0 &&
+               livedOn == 0 && survivors == 0 && groupsAfterKills == 0 && processesAfterKills == 0;
+    }
+};
+
+/// Resident memory of this process [KiB].
+long residentMemory() {
+    std::ifstream lines("/proc/self/status");
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("VmRSS:", 0) == 0)
+            return std::atol(line.c_str() + 6);
+    }
+    return 0;
+}
+
 void showProgress(const char *what, int done, int all, Clock::time_point start) {
+    if (::isatty(STDERR_FILENO) == 0)
+        return;
     const double left = secondsSince(start) * (all - done) / done;
     fmt::print(stderr, "\r{} {} of {}, {:.0f} s left   {}", what, done, all, left,
                done == all ? "\n" : "");
@@ -65,13 +93,14 @@ public:
     Endurance(Endurance &&) = delete;
     Endurance &operator=(Endurance &&) = delete;
 
-    /// \return  true if all is well
-    bool launch(int count) {
+    SandboxLevel level() const { return m_sandbox.level(); }
+
+    void launch(int count, Outcome &seen) {
         const BoxSpec spec = hostileSpec(m_program, "exit_with_seven", m_marker);
         std::vector<double> times;
-        int wrong = 0;
         m_sandbox.run(spec);
         const long descriptors = openDescriptors();
+        const long memory = residentMemory();
         const auto begin = Clock::now();
         for (int i = 1; i <= count; ++i) {
             ::alarm(kHang.count()); // ends this program: a hang is nothing to go on after
@@ -80,29 +109,26 @@ public:
             times.push_back(1000 * secondsSince(start));
             const auto *exited = std::get_if<BoxExited>(&outcome.end);
             if (exited == nullptr || exited->code != 7) {
-                ++wrong;
+                ++seen.wrongEnds;
                 fmt::print("launch {}: {}\n", i, describe(outcome.end));
             }
             if (i % 100 == 0 || i == count)
                 showProgress("launches", i, count, begin);
         }
         ::alarm(0);
-        const long more = openDescriptors() - descriptors;
-        const int left = processesMarked(m_marker) + (hasChild() ? 1 : 0);
-        const int groups = controlGroupsOf(::getpid());
-        fmt::print("{} launches at {}: 0 hangs, {} wrong ends, median {:.1f} ms, p99 {:.1f} ms, "
-                   "longest {:.1f} ms; {} descriptors more than before, {} processes and {} "
-                   "control groups left\n",
-                   count, sandboxLevelName(m_sandbox.level()), wrong, quantile(times, 0.5),
-                   quantile(times, 0.99), quantile(times, 1), more, left, groups);
-        return wrong == 0 && more == 0 && left == 0 && groups == 0;
+        seen.launches = count;
+        seen.median = quantile(times, 0.5);
+        seen.p99 = quantile(times, 0.99);
+        seen.longest = quantile(times, 1);
+        seen.memoryMore = residentMemory() - memory;
+        seen.descriptorsMore = openDescriptors() - descriptors;
+        seen.processesLeft = processesMarked(m_marker) + (hasChild() ? 1 : 0);
+        seen.groupsLeft = controlGroupsOf(::getpid());
     }
 
-    bool kill(int count) {
+    void kill(int count, Outcome &seen) {
         std::mt19937 random(std::random_device{}());
         const BoxSpec spec = hostileSpec(m_program, "rest", m_marker);
-        int lived = 0;
-        int survivors = 0;
         std::vector<pid_t> graders;
         const auto begin = Clock::now();
         for (int i = 1; i <= count; ++i) {
@@ -116,24 +142,19 @@ public:
             ::kill(process, SIGKILL);
             ::waitpid(process, nullptr, 0);
             if (!boxesEnd(milliseconds(1000))) {
-                ++lived;
+                ++seen.livedOn;
                 killOrphans(); // what a grader does when it starts
-                survivors += boxesEnd(milliseconds(1000)) ? 0 : 1;
+                seen.survivors += boxesEnd(milliseconds(1000)) ? 0 : 1;
             }
             if (i % 10 == 0 || i == count)
                 showProgress("kills", i, count, begin);
         }
         const bool alone = within(milliseconds(10'000), [] { return !hasChild(); });
         const Sandbox next(m_sandbox.level()); // removes the control groups of those that died
-        int groups = 0;
         for (const pid_t grader : graders)
-            groups += controlGroupsOf(grader);
-        fmt::print("{} graders killed 0 to {} ms after the launch at {}: {} boxes lived on for "
-                   "more than a second, {} after the sweep of the next start; {} control groups "
-                   "and {} processes left\n",
-                   count, kMostDelay / 1000, sandboxLevelName(m_sandbox.level()), lived, survivors,
-                   groups, alone ? "no" : "some");
-        return lived == 0 && survivors == 0 && groups == 0 && alone;
+            seen.groupsAfterKills += controlGroupsOf(grader);
+        seen.kills = count;
+        seen.processesAfterKills = alone ? 0 : 1;
     }
 
 private:
@@ -161,34 +182,88 @@ private:
     std::string m_marker;
 };
 
+std::string describe(SandboxLevel level, const Outcome &seen) {
+    std::string text;
+    if (seen.kills > 0)
+        text += fmt::format(
+            "{}: {} graders killed 0 to {} ms after a launch: {} boxes lived on for more than a "
+            "second, {} after the sweep of the next start; {} control groups and {} processes "
+            "left\n",
+            sandboxLevelName(level), seen.kills, kMostDelay / 1000, seen.livedOn, seen.survivors,
+            seen.groupsAfterKills, seen.processesAfterKills);
+    if (seen.launches > 0)
+        text += fmt::format(
+            "{}: {} launches: 0 hangs, {} wrong ends; median {:.1f} ms, p99 {:.1f} ms, longest "
+            "{:.1f} ms; {} descriptors and {} KiB more than before, {} processes and {} control "
+            "groups left\n",
+            sandboxLevelName(level), seen.launches, seen.wrongEnds, seen.median, seen.p99,
+            seen.longest, seen.descriptorsMore, seen.memoryMore, seen.processesLeft,
+            seen.groupsLeft);
+    return text;
+}
+
+struct Options {
+    int launches = 10'000;
+    int kills = 300;
+    std::string level; ///< empty: both
+    std::string record;
+    std::string commit;
+};
+
+int endure(const Options &options) {
+    bool isWell = true;
+    std::string lines;
+    for (const SandboxLevel level : {SandboxLevel::S3, SandboxLevel::S2}) {
+        if (!options.level.empty() && options.level != sandboxLevelName(level))
+            continue;
+        Endurance endurance(level, HOSTILE);
+        Outcome seen;
+        endurance.kill(options.kills, seen);
+        endurance.launch(options.launches, seen);
+        const std::string text = describe(level, seen);
+        fmt::print("{}", text);
+        std::fflush(stdout);
+        isWell = isWell && seen.isWell();
+        std::istringstream stream(text);
+        for (std::string line; std::getline(stream, line);)
+            lines += "- " + line + "\n";
+    }
+    if (!options.record.empty())
+        exam::replaceSection(
+            options.record, "endurance",
+            fmt::format("Measured at commit `{}`. A launch is the time from the start of a box to "
+                        "the moment when nothing of it is left.\n\n{}",
+                        options.commit, lines));
+    return isWell ? 0 : 1;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    int launches = 10'000;
-    int kills = 300;
-    SandboxLevel level = SandboxLevel::S3;
-    for (int i = 1; i < argc; i += 2) {
-        const std::string option = argv[i];
-        const std::string value = i + 1 < argc ? argv[i + 1] : "";
-        const int count = std::atoi(value.c_str());
-        if (option == "--launches" && (count > 0 || value == "0"))
-            launches = count;
-        else if (option == "--kills" && (count > 0 || value == "0"))
-            kills = count;
-        else if (option == "--level" && (value == "S2" || value == "S3"))
-            level = value == "S2" ? SandboxLevel::S2 : SandboxLevel::S3;
-        else {
-            fmt::print(stderr,
-                       "endurance: \"{} {}\": known are --launches N, --kills K, --level S2|S3\n",
-                       option, value);
-            return 2;
-        }
+    Options options;
+    CLI::App app("Starts and ends boxes, and kills graders just after they have started one; "
+                 "nothing may be left.\nExit codes: 0 all is well, 1 not all, 2 usage, 4 the "
+                 "machine does not give the level.",
+                 "./run endurance");
+    app.add_option("--launches", options.launches, "Boxes that are started at each level")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    app.add_option("--kills", options.kills, "Graders that are killed at each level")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
+    app.add_option("--level", options.level, "Only this level")->check(CLI::IsMember({"S2", "S3"}));
+    CLI::Option *record =
+        app.add_option("--record", options.record, "Write the figures into this Markdown file")
+            ->option_text("FILE")
+            ->excludes("--level");
+    app.add_option("--commit", options.commit, "What is measured, for the table")->needs(record);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        Endurance endurance(level, HOSTILE);
-        const bool killed = kills == 0 || endurance.kill(kills);
-        const bool launched = launches == 0 || endurance.launch(launches);
-        return killed && launched ? 0 : 1;
+        return endure(options);
     } catch (const std::exception &error) {
         fmt::print(stderr, "endurance: {}\n", error.what());
         return 4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs that want out of the box, or more of the machine than is theirs: `escapes NAME MARKER`.
+// Programs that want out of the box, or more of the machine than is theirs: `escapes NAME MARKER`,
+// or a probe that is asked by that name.
 // As in hostile.cpp, what one gets is printed as a line that starts with GOT.
 #include <fcntl.h>
 #include <sched.h>
@@ -26,6 +27,8 @@
 #include <ctime>
 #include <map>
 #include <string>
+
+#include "../support/asked_name.h"
 
 namespace {
 
@@ -333,7 +336,7 @@ const std::map<std::string, void (*)()> kPrograms = {
 } // namespace
 
 int main(int argc, char **argv) {
-    const auto program = argc > 1 ? kPrograms.find(argv[1]) : kPrograms.end();
+    const auto program = kPrograms.find(test::askedName(argc, argv));
     if (program == kPrograms.end())
         return 99;
     // Whoever starts it by hand, outside of a box, comes to no harm.

@@ -26,13 +26,17 @@ const std::map<std::string, std::string> &sources() {
         {"loads_a_precompiled_header", "#pragma GCC pch_preprocess \"HOST\"\nint x;\n"},
         {"loads_a_plugin", "#pragma GCC optimize(\"-fplugin=HOST\")\nint f() { return 1; }\n"},
         {"shows_lines_of_a_host_file", "#line 1 \"HOST\"\nint x = \"\";\n"},
-        {"includes_itself", "#include __FILE__\n#include __FILE__\n"},
-        {"expands_macros", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(A(x))))\n"
-                           "int a[] = {B(B(B(1,)))};\n"},
+        {"includes_itself", "#include \"warp.cpp\"\n#include \"warp.cpp\"\n"},
+        {"expands_macros",
+         "#define A(...) __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, "
+         "__VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__\n"
+         "#define B(...) A(A(A(__VA_ARGS__)))\n#define C(...) B(B(B(B(__VA_ARGS__))))\n"
+         "int a[] = {C(1)};\n"},
         {"instantiates_templates",
-         "template <int N, int M> struct T { static const int v = T<N - 1, M>::v + "
-         "T<N - 1, M + (1 << (N % 31))>::v; };\n"
-         "template <int M> struct T<0, M> { static const int v = M; };\nint x = T<30, 0>::v;\n"},
+         "template <unsigned N, unsigned M> struct T { static const unsigned v = T<N - 1, M>::v + "
+         "T<N - 1, M + (1u << N)>::v; };\n"
+         "template <unsigned M> struct T<0, M> { static const unsigned v = M; };\n"
+         "unsigned x = T<30, 0>::v;\n"},
         {"recurses_in_templates",
          "template <class T> struct S { typename S<S<T>>::type x; };\nS<int>::type x;\n"},
         {"computes_constants",
@@ -42,7 +46,7 @@ const std::map<std::string, std::string> &sources() {
          "__asm__(\".rept 100000000\\n .quad 1,2,3,4,5,6,7,8\\n .endr\");\n"},
         {"moves_in_assembly", "__asm__(\".data\\n .org 0x7ffffffffff\\n .byte 1\");\n"},
         {"prints_without_end",
-         "#define W(n) static_assert(n < 0, \"PASSED\");\n#include __FILE__\nW(1)\n"},
+         "#define W(n) static_assert(n < 0, \"PASSED\");\n#include \"warp.cpp\"\nW(1)\n"},
         {"prints_control_text",
          "#error \"\x1b[2J\x1b[32mPASSED\x1b[0m <script>alert(1)</script> \xff\xfe\"\n"},
         {"forges_diagnostics",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A program that tries to do harm: `hostile MODE [MARKER]`. Whatever it gets that it should not
-// have is printed as a line that starts with GOT; the last line of a mode that comes to its end is
-// "tried". MARKER only makes its processes easy to find from outside.
+// A program that tries to do harm: `hostile MODE [MARKER]`, or a probe that is asked by that name.
+// Whatever it gets that it should not have is printed as a line that starts with GOT; the last line
+// of a mode that comes to its end is "tried". MARKER only makes its processes easy to find from
+// outside.
 #include <dirent.h>
 #include <fcntl.h>
 #include <linux/sched.h>
@@ -31,6 +32,7 @@
 #include <thread>
 #include <vector>
 
+#include "../../../support/asked_name.h"
 #include <arpa/inet.h>
 
 extern char **environ; // NOLINT(readability-redundant-declaration): not in every <unistd.h>
@@ -350,7 +352,7 @@ const std::map<std::string, void (*)()> kModes = {
 } // namespace
 
 int main(int argc, char **argv) {
-    const auto mode = argc > 1 ? kModes.find(argv[1]) : kModes.end();
+    const auto mode = kModes.find(test::askedName(argc, argv));
     if (mode == kModes.end())
         return 99;
     // Whoever starts it by hand, outside of a box, comes to no harm.

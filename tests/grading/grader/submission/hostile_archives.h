@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <grader/submission/submission.h>
+
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,5 +23,16 @@ std::vector<HostileArchive> hostilePaths();   ///< names that lead elsewhere, or
 std::vector<HostileArchive> hostileEntries(); ///< links, devices, encryption, two of one name
 std::vector<HostileArchive> hostileSizes();   ///< bombs, and more than is allowed
 std::vector<HostileArchive> brokenArchives(); ///< cut, changed, contradicting, of another kind
+
+/// What came of reading one.
+struct ReadArchive {
+    Submission submission;
+    std::string error; ///< that refused it as a whole; empty: it was read
+    std::string fault; ///< in which it is not what must come of it, bounds of time and memory
+                       ///< included; empty: in nothing
+};
+
+/// Reads `file`, which holds the archive.
+ReadArchive readHostileArchive(const HostileArchive &archive, const std::filesystem::path &file);
 
 } // namespace grader::test
