@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -48,6 +49,28 @@ public:
 
 private:
     int m_fd;
+};
+
+/// A folder in memory, for readers that want names of their own in it.
+class ScratchFolder {
+public:
+    ScratchFolder() {
+        std::string pattern = "/dev/shm/norigrade-fuzz-XXXXXX";
+        require(::mkdtemp(pattern.data()) != nullptr, "a folder in memory");
+        m_path = pattern;
+    }
+
+    ~ScratchFolder() { std::filesystem::remove_all(m_path); }
+
+    ScratchFolder(const ScratchFolder &) = delete;
+    ScratchFolder &operator=(const ScratchFolder &) = delete;
+    ScratchFolder(ScratchFolder &&) = delete;
+    ScratchFolder &operator=(ScratchFolder &&) = delete;
+
+    const std::filesystem::path &path() const { return m_path; }
+
+private:
+    std::filesystem::path m_path;
 };
 
 } // namespace fuzz

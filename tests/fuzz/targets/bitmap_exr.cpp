@@ -7,7 +7,7 @@
 #include "../target.h"
 
 void fuzz::run(std::string_view bytes) {
-    if (isLargeExr(bytes))
+    if (isLargeImage(bytes))
         return;
     static const ScratchFile file;
     try {

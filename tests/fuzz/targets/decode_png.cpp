@@ -6,7 +6,7 @@
 #include <decoder/decode.h>
 
 void fuzz::run(std::string_view bytes) {
-    if (isLargePng(bytes))
+    if (isLargeImage(bytes))
         return;
     const protocol::ImageAnswer answer = decoder::decode(bytes.data(), bytes.size());
     if (answer.fault == protocol::ImageFault{}) {
