@@ -3,6 +3,8 @@
 
 #include <battery/unit_square.h>
 
+#include <boost/sort/spreadsort/float_sort.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -20,9 +22,14 @@ void lookAt(char coordinate, std::vector<double> values, StepResult &worst) {
     if (values.size() < 4) {
         return;
     }
-    std::sort(values.begin(), values.end());
     const std::size_t from = values.size() / 4;
     const std::size_t to = values.size() - 1 - from;
+    // Only the middle half has to be in order, and by radix: sorting was a fifth of a grading.
+    const auto first = values.begin() + static_cast<long>(from);
+    const auto last = values.begin() + static_cast<long>(to);
+    std::nth_element(values.begin(), first, values.end());
+    std::nth_element(first, last, values.end());
+    boost::sort::spreadsort::float_sort(first, last + 1);
     const double range = values[to] - values[from];
     if (!(range > kSmallestRange)) {
         return;
