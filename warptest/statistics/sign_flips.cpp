@@ -16,6 +16,7 @@ namespace {
 constexpr int kEnough = 32; ///< sums as large: the p-value is then known to 18 %
 constexpr int kFewestFlips = (1 << 10) - 1;
 constexpr int kMostFlips = (1 << 20) - 1;
+constexpr double kSmallest = 1.0 / (kMostFlips + 1);
 constexpr std::size_t kGroup = 8; ///< values whose signs come from one byte
 
 /// Sums of a group under all of its signs.
@@ -40,10 +41,17 @@ double signFlipPValue(std::span<const double> values, std::uint64_t seed) {
         groups.push_back(sumsOf(values.subspan(i, std::min(kGroup, values.size() - i))));
         sum += groups.back()[0];
     }
-    for (const double value : values)
+    double squares = 0.0;
+    for (const double value : values) {
         size += std::fabs(value);
+        squares += value * value;
+    }
     // Sums that are the same but for rounding are as large.
     const double least = std::fabs(sum) - 1e-12 * size;
+    // Hoeffding's inequality bounds the p-value; where it is below the smallest one that flips can
+    // give, they would tell no more.
+    if (2.0 * std::exp(-least * least / (2.0 * squares)) < kSmallest)
+        return kSmallest;
     Random random(seed);
     int large = 0;
     int flips = 1;

@@ -37,6 +37,8 @@ TEST(SignFlips, CountTheSignsOfAFewValuesExactly) {
     EXPECT_NEAR(signFlipPValue(std::vector<double>{3, -2, 1}, 1), 0.75, 0.07);
     EXPECT_EQ(signFlipPValue(std::vector<double>(5, 0.0), 1), 1);
     EXPECT_EQ(signFlipPValue({}, 1), 1);
+    // 2 of 2^200, which no flip will show: told by the bound, as the smallest that is told.
+    EXPECT_EQ(signFlipPValue(std::vector<double>(200, 1.0), 1), std::ldexp(1.0, -20));
 }
 
 TEST(SignFlips, KeepTheirLevelUnderHeavyTails) {
