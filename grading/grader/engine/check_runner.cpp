@@ -133,6 +133,20 @@ bool CheckRunner::upstreamAtFault(const Group &group) const {
 }
 
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
+    const std::string key = check.id + "/" + variant.name;
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        const auto found = m_measured.find(key);
+        if (found != m_measured.end())
+            return found->second;
+    }
+    CheckResult result = measure(check, variant);
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_measured.emplace(key, result);
+    return result;
+}
+
+CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
     if (!variant.executable) {
         const BuildFailure failure =
             variant.failures.empty() ? BuildFailure{} : variant.failures.back();
@@ -191,6 +205,12 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         tellDiagnoses(first);
     }
     return first;
+}
+
+void CheckRunner::startAnew() {
+    m_atFault.clear();
+    m_chosenWrongly.clear();
+    m_endless.clear();
 }
 
 void CheckRunner::settle(std::vector<CheckResult> &results) const {

@@ -29,6 +29,10 @@ public:
     /// checks of the choice of lights have failed, and charged where they have not.
     void settle(std::vector<CheckResult> &results) const;
 
+    /// Forgets which groups were at fault. What was measured stays: the same check on the same
+    /// variant is not run again.
+    void startAnew();
+
     /// Whether a check of any group that was run has failed.
     bool foundFault() const { return !m_atFault.empty(); }
 
@@ -37,6 +41,7 @@ public:
 
 private:
     CheckResult runOn(const Check &check, const Variant &variant);
+    CheckResult measure(const Check &check, const Variant &variant);
     CheckResult follow(const Check &check, const Group &group, CheckResult first);
     const Variant &variant(const VariantPlan &plan, const Group &group);
     bool upstreamAtFault(const Group &group) const;
@@ -48,7 +53,8 @@ private:
     std::string m_digest;
     std::map<std::string, Variant> m_variants;          ///< by group and plan name
     std::map<std::string, CheckResult> m_chosenWrongly; ///< with the hand-in's Scene, by check id
-    std::mutex m_mutex;                                 ///< of m_variants and m_chosenWrongly
+    std::map<std::string, CheckResult> m_measured;      ///< by check id and plan name
+    std::mutex m_mutex;                                 ///< of the three maps
     std::set<std::string> m_atFault;                    ///< groups with a check that failed
     std::set<std::string> m_endless; ///< ids of groups with a check that ran into a time limit
     std::atomic<double> m_sampleSeconds{0};

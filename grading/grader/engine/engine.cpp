@@ -80,12 +80,11 @@ std::vector<CheckResult> Engine::runChecks(VariantBuilder &builder, const Submis
         if (std::count(group.own.begin(), group.own.end(), "direct_ems.cpp") != 0)
             upstream.insert(kChoiceGroups.begin(), kChoiceGroups.end()); // see settle()
     }
-    bool atFault = false;
+    CheckRunner runner(m_sandbox, m_options, m_referenceProbe, builder, submission.digest);
     const auto run = [&](const std::set<std::string> &wanted, const Rubric &rubric) {
         std::size_t count = 0;
         for (const std::string &id : wanted)
             count += checksOf(rubric, id).size();
-        CheckRunner runner(m_sandbox, m_options, m_referenceProbe, builder, submission.digest);
         std::atomic<std::size_t> done{0};
         std::vector<CheckResult> outcomes;
         for (const Group &group : groupTable()) {
@@ -100,17 +99,17 @@ std::vector<CheckResult> Engine::runChecks(VariantBuilder &builder, const Submis
             outcomes.insert(outcomes.end(), results.begin(), results.end());
         }
         runner.settle(outcomes);
-        sampleSeconds += runner.sampleSeconds();
-        atFault = runner.foundFault();
         return outcomes;
     };
     std::vector<CheckResult> outcomes = run(groups, asked);
     // With everything asked for, what a group stands on was run before it.
     const bool isPart = asked.items.size() < all.items.size();
-    if (atFault && isPart && !upstream.empty()) {
+    if (runner.foundFault() && isPart && !upstream.empty()) {
         groups.merge(upstream);
+        runner.startAnew();
         outcomes = run(groups, all);
     }
+    sampleSeconds = runner.sampleSeconds();
     return outcomes;
 }
 
