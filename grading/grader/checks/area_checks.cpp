@@ -238,9 +238,12 @@ CheckResult judgeForeignRecord(CheckContext &context) {
     std::vector<EmitterSampleRow> rows = answer.rows;
     for (std::size_t i = 0; i < rows.size(); ++i)
         rows[i].pdf = evals.rows[i].pdf;
-    CheckResult result =
-        judgeDensity([](const EmitterSampleRow &row) { return row.pdf; }, light, rows);
-    result.diagnoses.push_back({"area.pdf_stored", 0.8});
+    const auto judge = [&](const std::vector<EmitterSampleRow> &judged) {
+        return judgeDensity([](const EmitterSampleRow &row) { return row.pdf; }, light, judged);
+    };
+    CheckResult result = judge(rows);
+    if (result.verdict == Verdict::Fail && judge(answer.rows).verdict == Verdict::Pass)
+        result.diagnoses = {{"area.pdf_stored"}};
     return result;
 }
 

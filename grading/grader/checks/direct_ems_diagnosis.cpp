@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "direct_ems_diagnosis.h"
 
-#include <grader/checks/answer.h>
-#include <grader/checks/radiance_case.h>
-
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
-#include <optional>
 
 namespace grader {
 
 namespace {
 
 constexpr int kNodes = 24; ///< midpoints per side of a light
-constexpr int kRepeats = 16;
 
 /// The mean of one sample of the light: area^a times the mean over it of
 /// albedo / pi * radiance * cos(surface)^s * cos(light)^l * distance^d. Right is (1, 1, 1, -2).
@@ -55,41 +47,17 @@ double applyLaw(const LightLaw &law, const LitPoint &point, const TestMesh &ligh
     return std::pow(light.area(), law.area) * sum / (double{kNodes} * kNodes);
 }
 
-/// Scenes side by side, one ray and answer each: is it lit?
-class Experiment {
-public:
-    void add(const TestScene &scene, const TestRay &ray) {
-        const std::string folder = fmt::format("part{}", m_group.requests.size());
-        for (protocol::File file : scene.files()) {
-            file.name = folder + "/" + file.name;
-            m_group.files.push_back(std::move(file));
-        }
-        RadianceCase one;
-        one.rays = {ray};
-        protocol::Request request =
-            radianceRequest(one, kRepeats, m_group.requests.size() + 1).requests[0];
-        request.text = folder + "/" + request.text;
-        m_group.requests.push_back(std::move(request));
+/// Sums over the lights, each with a weight of its own.
+Hypothesis weighted(const char *diagnosis, const std::vector<std::vector<Vector3d>> &lights,
+                    const std::vector<double> &weights) {
+    Hypothesis result{diagnosis, {}};
+    for (std::size_t k = 0; k < lights.front().size(); ++k) {
+        Vector3d sum = Vector3d::Zero();
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            sum += weights[i] * lights[i][k];
+        result.expected.push_back(sum);
     }
-
-    /// \return  nothing if the code did not answer
-    std::optional<std::vector<bool>> run(CheckContext &context) const {
-        const ProbeAnswer answer = context.ask(m_group);
-        if (!answer.complete())
-            return std::nullopt;
-        std::vector<bool> lit;
-        for (const protocol::Response &response : answer.responses)
-            lit.push_back(std::any_of(response.values.begin(), response.values.end(),
-                                      [](float value) { return value > 0; }));
-        return lit;
-    }
-
-private:
-    protocol::RequestGroup m_group;
-};
-
-TestMesh squareAt(const Vector3d &center, double half) {
-    return parallelogram(center - Vector3d(half, half, 0), {2 * half, 0, 0}, {0, 2 * half, 0});
+    return result;
 }
 
 } // namespace
@@ -107,65 +75,37 @@ std::vector<Hypothesis> areaLightMistakes(const std::vector<LitPoint> &points,
     return hypotheses;
 }
 
-std::vector<Guess> experimentWithShadows(CheckContext &context) {
-    constexpr double kPlaces[] = {0.003, 0.02, 0.1, 0.3, 0.5, 0.7, 0.85, 0.95, 0.98};
-    const Vector3d lit(0.13, -0.07, 0);
-    const Vector3d light(0.17, 0.02, 1.1);
-    // Looks along the floor, below all but the lowest blockers, which are small.
-    const auto ray = [&] {
-        const Vector3d origin = lit + Vector3d(0.4, 0.1, 0.0008);
-        return TestRay{origin, (lit - origin).normalized()};
-    }();
-    const auto scene = [&] {
-        TestScene result;
-        result.addMesh(parallelogram({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), {0.5, 0.6, 0.7});
-        result.addPointLight(light, {2, 3, 4});
-        return result;
-    };
-    Experiment experiment;
-    experiment.add(scene(), ray);
-    TestScene behind = scene();
-    behind.addMesh(squareAt({0.2, 0, 1.5}, 0.5), {0.5, 0.5, 0.5});
-    experiment.add(behind, ray);
-    for (const double place : kPlaces) {
-        TestScene blocked = scene();
-        blocked.addMesh(squareAt(lit + place * (light - lit), 0.12), {0.5, 0.5, 0.5});
-        experiment.add(blocked, ray);
-    }
-    const auto isLit = experiment.run(context);
-    if (!isLit || !(*isLit)[0])
-        return {};
-    if (!(*isLit)[1])
-        return {{"ems.shadow_ray_too_long"}};
-    const auto missed = std::count(isLit->begin() + 2, isLit->end(), true);
-    if (missed == static_cast<std::ptrdiff_t>(std::size(kPlaces)))
-        return {{"ems.no_shadow_ray"}};
-    return missed > 0 ? std::vector<Guess>{{"ems.shadow_ends_early"}} : std::vector<Guess>{};
-}
-
-std::vector<Guess> experimentWithSides(CheckContext &context) {
-    Experiment experiment;
-    for (const double origin : {-1.0, 1.0}) { // where the world's origin is, seen from the light
-        for (const double eye : {-1.0, 1.0}) {
-            const Vector3d center(0.1, 0.2, -origin);
-            TestMesh light = squareAt(center, 0.5); // its front is +z
-            TestScene scene;
-            scene.addLight(light, {0, 0, 0}, {.radiance = {2, 3, 4}, .scale = {}, .texture = {}});
-            const Vector3d from = center + Vector3d(0.1, 0.05, 0.7 * eye);
-            experiment.add(scene, {from, (center - from).normalized()});
+std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> &lights,
+                                       const std::vector<Vector3d> &intensities) {
+    std::vector<Hypothesis> mistakes;
+    for (const Vector3d &weights : {Vector3d(0.212671, 0.715160, 0.072169), Vector3d(1, 1, 1)}) {
+        std::vector<double> once;
+        double sum = 0;
+        for (const Vector3d &intensity : intensities)
+            sum += weights.dot(intensity);
+        for (const Vector3d &intensity : intensities)
+            once.push_back(weights.dot(intensity) / sum);
+        std::vector<double> twice;
+        std::vector<double> inverse;
+        for (const double p : once) {
+            twice.push_back(p * p);
+            inverse.push_back(1 / p);
         }
+        mistakes.push_back(weighted("ems.pick_pdf_forgotten", lights, once));
+        mistakes.push_back(weighted("ems.pick_pdf_multiplied", lights, twice));
+        mistakes.push_back(weighted("ems.pick_pdf_twice", lights, inverse));
     }
-    const auto isLit = experiment.run(context);
-    if (!isLit)
-        return {};
-    const std::vector<bool> &lit = *isLit;
-    const bool byOrigin = lit[0] == lit[1] && lit[2] == lit[3] && lit[0] != lit[2];
-    if (byOrigin)
-        return {{"ems.seen_from_origin"}};
-    if (!lit[1] && !lit[3])
-        return {{"ems.visible_light_missing"}};
-    return lit[0] || lit[2] ? std::vector<Guess>{{"ems.light_seen_from_behind"}}
-                            : std::vector<Guess>{};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        std::vector<double> weights(lights.size(), 0);
+        for (const double weight : {1.0, static_cast<double>(lights.size())}) {
+            weights[i] = weight;
+            mistakes.push_back(weighted("ems.light_left_out", lights, weights));
+        }
+        weights.assign(lights.size(), 1);
+        weights[i] = 0;
+        mistakes.push_back(weighted("ems.light_left_out", lights, weights));
+    }
+    return mistakes;
 }
 
 } // namespace grader

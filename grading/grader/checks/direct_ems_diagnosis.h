@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <grader/checks/check.h>
 #include <grader/checks/radiance_diagnosis.h>
 #include <grader/scenes/test_scene.h>
 
@@ -20,12 +19,13 @@ struct LitPoint {
 std::vector<Hypothesis> areaLightMistakes(const std::vector<LitPoint> &points,
                                           const TestMesh &light, const Vector3d &radiance);
 
-// Experiments after a failure: small scenes whose answer is lit or dark, each made for one mistake.
-
-/// Puts a blocker at several parts of the way from a surface to a point light, and behind it.
-std::vector<Guess> experimentWithShadows(CheckContext &context);
-
-/// Looks at a light from its front and from behind, with the world's origin on either side.
-std::vector<Guess> experimentWithSides(CheckContext &context);
+/// What wrong choices of one of several lights make of them: with probability p_i, what is sent is
+/// not divided by p_i, multiplied by it, or divided twice, and light i counts p_i, p_i^2 or 1 / p_i
+/// times, where p goes with the luminance of the power or its mean; or one light alone counts, with
+/// or without their number, or one is left out.
+/// \param lights       what each sends along each ray, shape [lights, rays]
+/// \param intensities  of the lights
+std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> &lights,
+                                       const std::vector<Vector3d> &intensities);
 
 } // namespace grader

@@ -111,6 +111,7 @@ std::vector<Guess> guessAreaDensity(const std::vector<DensityRatio> &ratios) {
         guesses.push_back({"area.pdf_cosine_power", 0.9 * fit});
     if (guesses.empty() || (distance != 0 && cosine != 0))
         guesses.push_back({"area.pdf_distance_power", 0.8 * fit});
+    guesses.push_back({"area.pdf_factor", kVagueFit});
     return guesses;
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kModelError = 5e-3; ///< relative: a hypothesis is no closed form
 constexpr double kLeastFit = 0.8;
+constexpr double kConstantFit = 0.95;
 constexpr double kFactorTolerance = 0.02;
 
 /// A mean for a place and channel.
@@ -90,11 +91,11 @@ std::vector<Guess> guessRadiance(const RadianceMoments &student, const RadianceM
         return expected[c][i].mean;
     };
     const double error = residual(student, scale, right);
+    // Of the deviation, not of its squares: against an image that is nearly black, black itself
+    // would take away most of those.
     const auto fitOf = [&](const Prediction &prediction) {
-        return error > 1
-                   ? std::clamp(1 - std::max(0.0, residual(student, scale, prediction) - 1) / error,
-                                0.0, 1.0)
-                   : 0.0;
+        const double left = std::max(0.0, residual(student, scale, prediction) - 1);
+        return error > 1 ? std::clamp(1 - std::sqrt(left / error), 0.0, 1.0) : 0.0;
     };
     for (const Hypothesis &hypothesis : known.hypotheses) {
         const double fit = fitOf([&](std::size_t i, std::size_t c) {
@@ -113,6 +114,12 @@ std::vector<Guess> guessRadiance(const RadianceMoments &student, const RadianceM
         }
         guesses.push_back({"ems.factor", 0.5 * common});
     }
+    const double offset = mean - scale;
+    const double constant =
+        fitOf([&](std::size_t i, std::size_t c) { return expected[c][i].mean + offset; });
+    // Where places are alike, a constant is nearly a factor.
+    if (constant >= kConstantFit && 1 - constant < 0.5 * (1 - common))
+        guesses.push_back({"ems.constant_added", constant});
     guesses.push_back({known.other, known.otherFit});
     std::stable_sort(guesses.begin(), guesses.end(),
                      [](const Guess &a, const Guess &b) { return a.fit > b.fit; });
