@@ -49,7 +49,9 @@ CheckResult judgeChoice(CheckContext &context) {
     if (law.reversed) {
         result.verdict = Verdict::Fail;
         result.effect = 1;
-        result.diagnoses = {{"importance.reciprocal"}};
+        result.diagnoses = {
+            {law.reciprocal ? "importance.reciprocal" : "importance.not_proportional",
+             law.reciprocal ? 1 : 0.6}};
     } else if (result.verdict == Verdict::Fail) {
         result.message = fmt::format("The lights' frequencies are not proportional to their "
                                      "radiance: they differ by up to {:.2g} %.",

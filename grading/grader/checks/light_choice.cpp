@@ -18,6 +18,7 @@ constexpr int kRepeats = 4096;
 /// exp(-32).
 constexpr int kKindRepeats = 512;
 constexpr double kChromaticityTolerance = 0.02;
+constexpr double kReciprocalTolerance = 0.2; ///< relative, to be told
 constexpr double kUniformTolerance =
     0.03; ///< relative; 262144 samples of 7 lights give 0.5 % noise
 
@@ -197,20 +198,29 @@ double exactVariance(const LightChoice &choice, const std::vector<double> &proba
 ChoiceLaw nearestLaw(const LightChoice &choice) {
     ChoiceLaw best;
     best.error = std::numeric_limits<double>::infinity();
+    double reciprocalError = best.error;
     for (const Weight &weight : kWeights) {
         double sum = 0;
-        for (const Vector3d &intensity : choice.intensities)
+        double reciprocalSum = 0;
+        for (const Vector3d &intensity : choice.intensities) {
             sum += weight.of(intensity);
+            reciprocalSum += 1 / weight.of(intensity);
+        }
         double error = 0;
+        double otherError = 0;
         std::vector<double> probabilities;
         for (std::size_t i = 0; i < choice.intensities.size(); ++i) {
             const double wanted = weight.of(choice.intensities[i]) / sum;
+            const double other = 1 / weight.of(choice.intensities[i]) / reciprocalSum;
             probabilities.push_back(wanted);
             error = std::max(error, std::abs(choice.frequencies[i] / wanted - 1));
+            otherError = std::max(otherError, std::abs(choice.frequencies[i] / other - 1));
         }
         if (error < best.error)
-            best = {weight.name, error, false, std::move(probabilities)};
+            best = {weight.name, error, false, false, std::move(probabilities)};
+        reciprocalError = std::min(reciprocalError, otherError);
     }
+    best.reciprocal = reciprocalError <= kReciprocalTolerance;
     // Correlation of frequency and luminance.
     double covariance = 0;
     const double even = 1 / static_cast<double>(choice.frequencies.size());

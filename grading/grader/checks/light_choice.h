@@ -41,6 +41,7 @@ struct ChoiceLaw {
     std::string name;                  ///< "luminance", ...
     double error = 0;                  ///< largest relative difference of a frequency
     bool reversed = false;             ///< brighter lights are chosen less often
+    bool reciprocal = false;           ///< they follow the reciprocal of one of the laws
     std::vector<double> probabilities; ///< per light
 };
 

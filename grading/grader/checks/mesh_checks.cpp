@@ -23,7 +23,7 @@ constexpr double kPositionTolerance = 1e-4; ///< of the mesh's size
 constexpr double kNormalTolerance = 2e-3;
 constexpr double kUvTolerance = 1e-3;
 
-enum class Shape { Parallelogram, Strip, Ball, FlippedNormals };
+enum class Shape { Parallelogram, Strip, Ball, Block, FlippedNormals };
 
 TestMesh makeShape(Shape shape, std::uint64_t seed) {
     SceneRandom random(seed);
@@ -31,6 +31,9 @@ TestMesh makeShape(Shape shape, std::uint64_t seed) {
     switch (shape) {
     case Shape::Strip:
         mesh = unequalStrip(random);
+        break;
+    case Shape::Block: // faces in all directions
+        mesh = block({0.1, 0.2, -0.1}, {random.uniform(0.6, 0.9), 0.5, 0.7}, 0.4);
         break;
     case Shape::Ball:
         mesh = sphere({0.3, -0.2, 0.1}, random.uniform(0.5, 0.9), 7);
@@ -127,11 +130,13 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
     const TestMesh mesh = makeShape(shape, context.seed("mesh"));
     std::optional<CheckResult> failure;
     std::vector<double> counts;
+    double asked = 0;
     const statistics::LockResult lock = statistics::tripleLock(
         [&](const statistics::StageRequest &request) {
             Uniformity found = uniformityStage(context, mesh, request);
             failure = found.failure;
             counts = std::move(found.counts);
+            asked = double{kSamples} * request.sampleFactor;
             return found.stage;
         },
         {.tolerance = kToleratedRms, .passLimit = 0.2});
@@ -146,7 +151,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
         fmt::format("The density of points over {} triangles differs from uniform by {:.2g} % rms "
                     "(below {:.2g} % at 99.99 %).",
                     mesh.faces.size(), 100 * last.effect, 100 * last.effectBound),
-        verdict == Verdict::Fail ? guessCells(mesh, counts) : MeshGuesses{});
+        verdict == Verdict::Fail ? guessCells(mesh, counts, asked) : MeshGuesses{});
     result.effect = last.effect;
     result.mde = last.mde;
     result.p = last.pValue;
@@ -231,7 +236,7 @@ std::vector<Check> meshChecks() {
         row("uniform", "Points are uniform on a light of two equal triangles.",
             [](CheckContext &context) { return judgeUniformity(context, Shape::Parallelogram); }),
         row("normal", "Without vertex normals, the normal is the face's.",
-            [](CheckContext &context) { return normals(context, Shape::Parallelogram); }),
+            [](CheckContext &context) { return normals(context, Shape::Block); }),
         row("vertex_normal", "Vertex normals are used where the mesh has them.",
             [](CheckContext &context) { return normals(context, Shape::FlippedNormals); }),
         row("density", "Mesh::pdf is 1 / area on a light of two equal triangles.",

@@ -150,12 +150,12 @@ std::vector<double> uniformCells(const TestMesh &mesh, double count) {
     return expected;
 }
 
-MeshGuesses guessCells(const TestMesh &mesh, const std::vector<double> &counts) {
+MeshGuesses guessCells(const TestMesh &mesh, const std::vector<double> &counts, double asked) {
     double total = 0;
     for (const double count : counts)
         total += count;
-    if (!(total > 0))
-        return {};
+    if (total < 0.5 * asked)
+        return {{"mesh.off_surface", 0.9}};
     std::vector<double> observed = counts;
     for (double &cell : observed)
         cell /= total;
@@ -184,27 +184,32 @@ MeshGuesses guessPositions(const TestMesh &, const std::vector<MeshSample> &samp
 
 MeshGuesses guessNormals(const TestMesh &mesh, const std::vector<MeshSample> &samples) {
     constexpr double kTolerance = 0.01;
+    constexpr double kUnsure = 0.2;
     double flipped = 0;
     double notUnit = 0;
     double ofFace = 0;
+    double either = 0; // opposite vertex normals: whether they are flipped or ignored
     for (const MeshSample &sample : samples) {
         const Vector3d expected = expectedNormal(mesh, sample);
         const double part = 1 / static_cast<double>(samples.size());
         const double length = sample.normal.norm();
-        flipped += (sample.normal + expected).norm() < kTolerance ? part : 0;
-        ofFace += !mesh.normals.empty() &&
-                          (sample.normal - mesh.geometricNormal(sample.face)).norm() < kTolerance
-                      ? part
-                      : 0;
+        const bool isFlipped = (sample.normal + expected).norm() < kTolerance;
+        const bool isOfFace =
+            !mesh.normals.empty() &&
+            (sample.normal - mesh.geometricNormal(sample.face)).norm() < kTolerance;
+        flipped += isFlipped ? part : 0;
+        ofFace += isOfFace ? part : 0;
+        either += isFlipped && isOfFace ? part : 0;
         notUnit += std::abs(length - 1) > kTolerance && length > 0 &&
                            (sample.normal / length - expected).norm() < kTolerance
                        ? part
                        : 0;
     }
-    return {{"mesh.vertex_normals_ignored", ofFace},
-            {"mesh.normal_flipped", flipped},
-            {"mesh.normal_not_unit", notUnit},
-            {mesh.normals.empty() ? "mesh.normal_flipped" : "mesh.normal_not_interpolated", 0.5}};
+    return {
+        {"mesh.vertex_normals_ignored", ofFace - kUnsure * either},
+        {"mesh.normal_flipped", flipped - kUnsure * either},
+        {"mesh.normal_not_unit", notUnit},
+        {mesh.normals.empty() ? "mesh.normal_flipped" : "mesh.normal_not_interpolated", kVagueFit}};
 }
 
 MeshGuesses guessUvs(const TestMesh &mesh, const std::vector<MeshSample> &samples) {
@@ -217,10 +222,11 @@ MeshGuesses guessUvs(const TestMesh &mesh, const std::vector<MeshSample> &sample
         }
         best = std::max(best, matching / static_cast<double>(samples.size()));
     }
-    return {{"mesh.uv_permuted", best}, {"mesh.uv_wrong", 0.5}};
+    return {{"mesh.uv_permuted", best}, {"mesh.uv_wrong", kVagueFit}};
 }
 
 MeshGuesses guessMeshDensity(const TestMesh &mesh, double ratio) {
+    constexpr double kRounding = 2e-5; // areas may be near 1/2 or each other by chance
     const double area = mesh.area();
 
     const struct {
@@ -233,7 +239,7 @@ MeshGuesses guessMeshDensity(const TestMesh &mesh, double ratio) {
     };
 
     const auto isNear = [&](double target) {
-        return std::abs(ratio - target) <= 1e-3 * std::max(std::abs(target), 1e-3);
+        return std::abs(ratio - target) <= kRounding * std::max(std::abs(target), 1e-3);
     };
     for (const auto &row : known) {
         if (isNear(row.ratio))

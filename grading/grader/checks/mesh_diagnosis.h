@@ -20,7 +20,8 @@ std::size_t cellOf(const MeshSample &sample);
 std::vector<double> uniformCells(const TestMesh &mesh, double count);
 
 // What would explain what was measured; each looks at wrong numbers only.
-MeshGuesses guessCells(const TestMesh &mesh, const std::vector<double> &counts);
+/// \param asked  points that were asked for: those off the mesh are in no cell
+MeshGuesses guessCells(const TestMesh &mesh, const std::vector<double> &counts, double asked);
 MeshGuesses guessPositions(const TestMesh &mesh, const std::vector<MeshSample> &samples);
 MeshGuesses guessNormals(const TestMesh &mesh, const std::vector<MeshSample> &samples);
 MeshGuesses guessUvs(const TestMesh &mesh, const std::vector<MeshSample> &samples);

@@ -76,14 +76,17 @@ Picks measurePicks(CheckContext &context) {
     return picks;
 }
 
-/// Largest |density - frequency| over the lights.
-double largestDifference(const Picks &picks, const std::vector<double> &densities) {
+double largestDifference(const std::vector<double> &a, const std::vector<double> &b) {
     double worst = 0;
-    for (std::size_t i = 0; i < densities.size(); ++i) {
-        const double difference = std::abs(densities[i] - picks.frequency[i]);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double difference = std::abs(a[i] - b[i]);
         worst = std::isfinite(difference) ? std::max(worst, difference) : 1;
     }
     return worst;
+}
+
+bool isSame(const std::vector<double> &a, const std::vector<double> &b) {
+    return largestDifference(a, b) <= kTolerance;
 }
 
 /// What a returned density is that is not the frequency of the light.
@@ -117,7 +120,7 @@ CheckResult judgePick(CheckContext &context) {
                                       100 * picks.unknown),
                           {{"importance.built_too_early"}});
     const auto never = std::count(picks.frequency.begin(), picks.frequency.end(), 0.0);
-    const double worst = largestDifference(picks, picks.returned);
+    const double worst = largestDifference(picks.frequency, picks.returned);
     CheckResult result =
         makeResult(worst <= kTolerance && never == 0 ? Verdict::Pass : Verdict::Fail,
                    fmt::format("The returned probabilities differ from the frequencies by at most "
@@ -133,11 +136,14 @@ CheckResult judgePdfEmitter(CheckContext &context) {
     const Picks picks = measurePicks(context);
     if (picks.failure)
         return *picks.failure;
-    const double worst = largestDifference(picks, picks.asked);
+    const double worst = largestDifference(picks.frequency, picks.asked);
     CheckResult result =
         makeResult(worst <= kTolerance ? Verdict::Pass : Verdict::Fail,
                    fmt::format("pdfEmitter differs from the frequencies by at most {:.2g}.", worst),
                    {{"importance.pdf_emitter", 0.7}});
+    // Right by what sampleEmitter says itself: then it is that which does not hold.
+    if (isSame(picks.asked, picks.returned) && !isSame(picks.returned, picks.frequency))
+        result.diagnoses = guessPdf(picks, "importance.pdf_mismatch");
     result.effect = worst;
     return result;
 }

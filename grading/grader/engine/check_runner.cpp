@@ -127,9 +127,9 @@ const Variant &CheckRunner::variant(const VariantPlan &plan, const Group &group)
     return m_variants.emplace(key, m_builder.build(plan)).first->second;
 }
 
-bool CheckRunner::upstreamAtFault(const Group &group) const {
+bool CheckRunner::upstreamIn(const std::set<std::string> &groups, const Group &group) {
     return std::any_of(group.upstream.begin(), group.upstream.end(),
-                       [&](const std::string &id) { return m_atFault.count(id) != 0; });
+                       [&](const std::string &id) { return groups.count(id) != 0; });
 }
 
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
@@ -175,7 +175,8 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
 }
 
 CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first) {
-    const bool excusable = upstreamAtFault(group);
+    const bool upstreamAtFault = upstreamIn(m_atFault, group);
+    const bool excusable = upstreamAtFault || upstreamIn(m_suspected, group);
     // The integrator and the emitters may each be right and yet not agree on who divides by the
     // density: then nothing upstream is charged, and the disagreement is the integrator's.
     const bool mayDisagree = group.id == "direct_ems" && first.verdict == Verdict::Fail;
@@ -183,7 +184,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         return first;
     CheckResult best = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
-    for (const VariantPlan &plan : followThroughPlans(group)) {
+    for (const VariantPlan &plan : followThroughPlans(group, !upstreamAtFault && excusable)) {
         CheckResult result = runOn(check, variant(plan, group));
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
@@ -209,6 +210,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
 
 void CheckRunner::startAnew() {
     m_atFault.clear();
+    m_suspected.clear();
     m_chosenWrongly.clear();
     m_endless.clear();
 }
@@ -271,9 +273,11 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
     if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
         m_endless.insert(group.id);
     for (const CheckResult &result : results) {
-        // With an integrator under suspicion the choice is judged with ours, too.
-        if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
+        if (isAtFault(result.verdict))
             m_atFault.insert(group.id);
+        // With an integrator under suspicion the choice is judged with ours, too.
+        if (m_chosenWrongly.count(result.id) != 0)
+            m_suspected.insert(group.id);
     }
     return results;
 }

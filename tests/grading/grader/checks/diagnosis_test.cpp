@@ -128,13 +128,15 @@ TEST(GuessCells, finds_how_triangles_are_chosen) {
             static_cast<double>(counts.size()) / static_cast<double>(shares.size());
         for (std::size_t i = 0; i < counts.size(); ++i)
             counts[i] = 1e6 * shares[i / static_cast<std::size_t>(perFace)] / perFace;
-        return firstOf(guessCells(mesh, counts));
+        return firstOf(guessCells(mesh, counts, 1e6));
     };
     std::vector<double> shares(mesh.faces.size());
     shares[1] = 1;
     EXPECT_EQ(firstWith(shares), "mesh.first_triangle_only");
     std::fill(shares.begin(), shares.end(), 1 / static_cast<double>(shares.size()));
     EXPECT_EQ(firstWith(shares), "mesh.triangles_by_number");
+    std::fill(shares.begin(), shares.end(), 1e-3); // the rest of the points are elsewhere
+    EXPECT_EQ(firstWith(shares), "mesh.off_surface");
 }
 
 } // namespace grader
