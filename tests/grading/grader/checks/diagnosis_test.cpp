@@ -78,6 +78,63 @@ TEST(GuessRadiance, names_factors_and_means) {
     EXPECT_EQ(firstOf(guessRadiance(imageOf(other), right, known)), "ems.no_cosine");
 }
 
+TEST(GuessRadiance, tells_a_constant_from_a_factor) {
+    std::vector<Vector3d> brighter = someRadiance(1);
+    for (Vector3d &value : brighter)
+        value += Vector3d(0.3, 0.3, 0.3);
+    EXPECT_EQ(firstOf(guessRadiance(imageOf(brighter), imageOf(someRadiance(1)), {})),
+              "ems.constant_added");
+    const std::vector<Vector3d> even(64, Vector3d(0.5, 0.5, 0.5));
+    const std::vector<Vector3d> tripled(64, Vector3d(1.5, 1.5, 1.5));
+    EXPECT_EQ(firstOf(guessRadiance(imageOf(tripled), imageOf(even), {})), "ems.factor");
+}
+
+TEST(GuessRadiance, does_not_take_any_mean_for_a_nearly_black_image) {
+    // A fiftieth is left of the image; what a wrong choice of lights would leave is as dark.
+    std::vector<Vector3d> dark = someRadiance(0.02);
+    for (std::size_t i = 0; i < dark.size(); i += 2)
+        dark[i] *= 30;
+    CaseDiagnoses known;
+    known.hypotheses = {{"ems.pick_pdf_multiplied", someRadiance(0.04)}};
+    EXPECT_NE(firstOf(guessRadiance(imageOf(dark), imageOf(someRadiance(1)), known)),
+              "ems.pick_pdf_multiplied");
+}
+
+TEST(ChoiceMistakes, hold_a_light_alone_and_every_power_of_the_probability) {
+    const std::vector<Vector3d> intensities = {{1, 2, 3}, {4, 1, 2}, {0.5, 3, 1}};
+    std::vector<std::vector<Vector3d>> lights;
+    SceneRandom random(5);
+    for (const Vector3d &intensity : intensities) {
+        std::vector<Vector3d> rays;
+        for (int k = 0; k < 32; ++k)
+            rays.emplace_back(random.uniform(0.2, 1) * intensity);
+        lights.push_back(rays);
+    }
+    std::vector<Vector3d> right;
+    for (std::size_t k = 0; k < 32; ++k)
+        right.emplace_back(lights[0][k] + lights[1][k] + lights[2][k]);
+    CaseDiagnoses known;
+    known.lightCount = 3;
+    known.hypotheses = choiceMistakes(lights, intensities);
+    const auto first = [&](const std::vector<Vector3d> &image) {
+        return firstOf(guessRadiance(imageOf(image), imageOf(right), known));
+    };
+    EXPECT_EQ(first(lights[1]), "ems.light_left_out");
+    const double mean[] = {6.0 / 17.5, 7.0 / 17.5, 4.5 / 17.5}; // powers, by the mean of channels
+    for (const auto &[power, diagnosis] :
+         {std::pair(1, "ems.pick_pdf_forgotten"), std::pair(2, "ems.pick_pdf_multiplied"),
+          std::pair(-1, "ems.pick_pdf_twice")}) {
+        std::vector<Vector3d> image;
+        for (std::size_t k = 0; k < 32; ++k) {
+            Vector3d sum = Vector3d::Zero();
+            for (std::size_t i = 0; i < 3; ++i)
+                sum += std::pow(mean[i], power) * lights[i][k];
+            image.push_back(sum);
+        }
+        EXPECT_EQ(first(image), diagnosis);
+    }
+}
+
 TEST(GuessAreaDensity, finds_the_powers_of_cosine_and_distance) {
     const auto lawOf = [](double constant, double cosinePower, double distancePower) {
         SceneRandom random(7);
