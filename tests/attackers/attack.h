@@ -16,6 +16,7 @@ enum class Kind {
     Probe,    ///< a mode of tests/grading/grader/prober/hostile_probe.cpp, asked two questions
     Cheat,    ///< a mode of cheats.cpp, judged by the checks of the uniform disk
     Source,   ///< a source file, given to the compiler
+    HandIn, ///< the same, added to the starter's warp.cpp: it is linked and runs as a hand-in does
 };
 
 /// How an attack must be seen to end.
@@ -46,7 +47,8 @@ struct Attack {
 
 const std::vector<Attack> &attackTable();
 
-/// The text of a Kind::Source attack. \param host  a file of this machine that it must not see
+/// The text of a Kind::Source or Kind::HandIn attack. \param host  a file of this machine that it
+/// must not see
 std::string attackSource(const std::string &name, const std::string &host);
 
 } // namespace attack

@@ -37,7 +37,8 @@ struct Options {
 };
 
 bool isQuick(const Attack &attack) {
-    return attack.kind != Kind::Hostile && attack.kind != Kind::Source && attack.group != 'E';
+    return attack.kind != Kind::Hostile && attack.kind != Kind::Source &&
+           attack.kind != Kind::HandIn && attack.group != 'E';
 }
 
 /// One row of the report, and how it is filled.

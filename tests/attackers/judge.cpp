@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "judge.h"
 
+#include <grader/build/base.h>
 #include <grader/build/variant_builder.h>
 #include <grader/engine/groups.h>
 #include <grader/results/safe_text.h>
@@ -91,6 +92,7 @@ Seen Judge::judge(const Attack &attack) const {
     case Kind::Cheat:
         return judgeCheat(attack);
     case Kind::Source:
+    case Kind::HandIn:
         return judgeSource(attack);
     }
     return {};
@@ -197,7 +199,7 @@ Seen Judge::judgeProbe(const Attack &attack) const {
     const bool answers = isNamed(attack, "attacks_memory") || isNamed(attack, "keeps_changing");
     return {answers || right == 0,
             fmt::format("{} of 2 answers right; {}", right, describe(answer.outcome.end)),
-            m_marks.pointsFor(ask(attack))};
+            m_quick ? 0 : m_marks.pointsFor(ask(attack))};
 }
 
 /// Judged by the checks of the grader itself.
@@ -222,7 +224,9 @@ Seen Judge::judgeCheat(const Attack &attack) const {
 
 /// Built as the only file of a hand-in; what comes of it is asked for the disk.
 Seen Judge::judgeSource(const Attack &attack) const {
-    const std::string text = attackSource(attack.name, m_host.secretFile().string()) +
+    const std::string before =
+        attack.kind == Kind::HandIn ? starterBase().units.at("warp.cpp") + "\n" : std::string();
+    const std::string text = before + attackSource(attack.name, m_host.secretFile().string()) +
                              fmt::format("// {} {}\n", sandboxLevelName(level()), m_run);
     const Cache cache;
     Compiler compiler(m_sandbox, cache);
@@ -247,7 +251,7 @@ Seen Judge::judgeSource(const Attack &attack) const {
     if (variant.executable) {
         NamedContext context(m_sandbox, *variant.executable, attack.name, BoxLimits());
         seen.gained = m_marks.pointsFor(m_marks.check(context));
-        seen.what += ", and has no disk";
+        seen.what += fmt::format(", {:g} points", seen.gained);
     } else {
         seen.gained = m_marks.pointsFor(Verdict::BuildError);
         seen.what += failure ? "" : ", but does not link";

@@ -54,6 +54,40 @@ const std::map<std::string, std::string> &sources() {
         {"nests_without_end", "int x = " + std::string(300'000, '(') + "1;\n"},
         {"names_its_machine",
          "extern const char *where;\nconst char *where = __FILE__ __TIMESTAMP__;\n"},
+        // What follows is added to a warp.cpp.
+        {"leaves_in_a_constructor",
+         "#include <cstdio>\n#include <unistd.h>\n"
+         "namespace { struct A { A() { std::puts(\"{\\\"score\\\": 100}\"); std::fflush(stdout); "
+         "::_exit(0); } } a; }\n"},
+        {"throws_in_a_constructor", "namespace { struct A { A() { throw 1; } } a; }\n"},
+        {"leaves_in_a_resolver",
+         "extern \"C\" void *attackResolver() {\n"
+         "    __asm__ volatile(\"syscall\" : : \"a\"(231), \"D\"(0));\n    return nullptr;\n}\n"
+         "extern \"C\" int attackResolved() __attribute__((ifunc(\"attackResolver\")));\n"
+         "int attackUse = attackResolved();\n"},
+        {"leaves_in_a_destructor",
+         "#include <cstdio>\n#include <unistd.h>\n"
+         "namespace { struct A { ~A() { std::puts(\"[  PASSED  ] 100 tests.\"); "
+         "std::fflush(stdout); ::_exit(0); } } a; }\n"},
+        {"answers_before_main",
+         "#include <sys/mman.h>\n#include <sys/stat.h>\n#include <unistd.h>\n"
+         "namespace { struct A { A() { struct stat s{}; ::fstat(4, &s);\n"
+         "auto *m = static_cast<unsigned *>(::mmap(nullptr, s.st_size, PROT_READ | PROT_WRITE, "
+         "MAP_SHARED, 4, 0));\n"
+         "for (unsigned v = 0; v < 8; ++v) for (long i = 0; i < s.st_size / 4; ++i) m[i] = v % 5;\n"
+         "::_exit(0); } } a; }\n"},
+        {"replaces_operator_new",
+         "#include <cstddef>\nnamespace { alignas(64) char g_block[1 << 20]; }\n"
+         "void *operator new(std::size_t) { return g_block; }\n"
+         "void operator delete(void *) noexcept {}\n"
+         "void operator delete(void *, std::size_t) noexcept {}\n"},
+        {"replaces_the_root", "extern \"C\" float sqrtf(float) { return 0.5f; }\n"
+                              "extern \"C\" double sqrt(double) { return 0.5; }\n"
+                              "extern \"C\" float cosf(float) { return 1.0f; }\n"},
+        {"defines_what_the_base_has",
+         "#include <nori/common.h>\nNORI_NAMESPACE_BEGIN\n"
+         "std::string indent(const std::string &, int) { return \"PASSED\"; }\n"
+         "NORI_NAMESPACE_END\n"},
     };
     return kSources;
 }
