@@ -37,6 +37,7 @@ struct Outcome {
     long descriptorsMore = 0;
     long memoryMore = 0;                     ///< resident [KiB]
     double median = 0, p99 = 0, longest = 0; ///< of a launch, from start to everything gone [ms]
+    double load = 0; ///< processes that wanted a core meanwhile, ours among them
     int kills = 0, livedOn = 0, survivors = 0, groupsAfterKills = 0, processesAfterKills = 0;
 
     bool isWell() const {
@@ -98,6 +99,7 @@ public:
     void launch(int count, Outcome &seen) {
         const BoxSpec spec = hostileSpec(m_program, "exit_with_seven", m_marker);
         std::vector<double> times;
+        std::vector<double> loads;
         m_sandbox.run(spec);
         const long descriptors = openDescriptors();
         const long memory = residentMemory();
@@ -112,14 +114,19 @@ public:
                 ++seen.wrongEnds;
                 fmt::print("launch {}: {}\n", i, describe(outcome.end));
             }
-            if (i % 100 == 0 || i == count)
-                showProgress("launches", i, count, begin);
+            if (i % 100 != 0 && i != count)
+                continue;
+            showProgress("launches", i, count, begin);
+            double load = 0;
+            ::getloadavg(&load, 1);
+            loads.push_back(load);
         }
         ::alarm(0);
         seen.launches = count;
         seen.median = quantile(times, 0.5);
         seen.p99 = quantile(times, 0.99);
         seen.longest = quantile(times, 1);
+        seen.load = quantile(loads, 0.5);
         seen.memoryMore = residentMemory() - memory;
         seen.descriptorsMore = openDescriptors() - descriptors;
         seen.processesLeft = processesMarked(m_marker) + (hasChild() ? 1 : 0);
@@ -194,11 +201,12 @@ std::string describe(SandboxLevel level, const Outcome &seen) {
     if (seen.launches > 0)
         text += fmt::format(
             "{}: {} launches: 0 hangs, {} wrong ends; median {:.1f} ms, p99 {:.1f} ms, longest "
-            "{:.1f} ms; {} descriptors and {} KiB more than before, {} processes and {} control "
+            "{:.1f} ms at a load of {:.1f} on {} cores; {} descriptors and {} KiB more than "
+            "before, {} processes and {} control "
             "groups left\n",
             sandboxLevelName(level), seen.launches, seen.wrongEnds, seen.median, seen.p99,
-            seen.longest, seen.descriptorsMore, seen.memoryMore, seen.processesLeft,
-            seen.groupsLeft);
+            seen.longest, seen.load, std::thread::hardware_concurrency(), seen.descriptorsMore,
+            seen.memoryMore, seen.processesLeft, seen.groupsLeft);
     return text;
 }
 
