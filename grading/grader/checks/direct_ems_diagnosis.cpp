@@ -78,6 +78,11 @@ std::vector<Hypothesis> areaLightMistakes(const std::vector<LitPoint> &points,
 std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> &lights,
                                        const std::vector<Vector3d> &intensities) {
     std::vector<Hypothesis> mistakes;
+    const auto alone = [&](const char *diagnosis, std::size_t light, double weight) {
+        std::vector<double> weights(lights.size(), 0);
+        weights[light] = weight;
+        mistakes.push_back(weighted(diagnosis, lights, weights));
+    };
     for (const Vector3d &weights : {Vector3d(0.212671, 0.715160, 0.072169), Vector3d(1, 1, 1)}) {
         std::vector<double> once;
         double sum = 0;
@@ -94,14 +99,13 @@ std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> 
         mistakes.push_back(weighted("ems.pick_pdf_forgotten", lights, once));
         mistakes.push_back(weighted("ems.pick_pdf_multiplied", lights, twice));
         mistakes.push_back(weighted("ems.pick_pdf_twice", lights, inverse));
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            alone("ems.light_chosen_once", i, inverse[i]);
     }
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        std::vector<double> weights(lights.size(), 0);
-        for (const double weight : {1.0, static_cast<double>(lights.size())}) {
-            weights[i] = weight;
-            mistakes.push_back(weighted("ems.light_left_out", lights, weights));
-        }
-        weights.assign(lights.size(), 1);
+        alone("ems.light_left_out", i, 1);
+        alone("ems.light_chosen_once", i, static_cast<double>(lights.size()));
+        std::vector<double> weights(lights.size(), 1);
         weights[i] = 0;
         mistakes.push_back(weighted("ems.light_left_out", lights, weights));
     }

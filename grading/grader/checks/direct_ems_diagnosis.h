@@ -21,8 +21,8 @@ std::vector<Hypothesis> areaLightMistakes(const std::vector<LitPoint> &points,
 
 /// What wrong choices of one of several lights make of them: with probability p_i, what is sent is
 /// not divided by p_i, multiplied by it, or divided twice, and light i counts p_i, p_i^2 or 1 / p_i
-/// times, where p goes with the luminance of the power or its mean; or one light alone counts, with
-/// or without their number, or one is left out.
+/// times, where p goes with the luminance of the power or its mean; or one light alone counts, once
+/// or 1 / p_i times, or one is left out.
 /// \param lights       what each sends along each ray, shape [lights, rays]
 /// \param intensities  of the lights
 std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> &lights,

@@ -20,6 +20,13 @@ constexpr int kRepeats = 16;
 /// Part of the brightest answer that counts as light: a constant that is added is none.
 constexpr double kLit = 0.1;
 
+/// Of all samples and channels along a ray.
+struct Brightness {
+    double mean = 0;
+    double least = 0;
+    double most = 0;
+};
+
 /// Scenes side by side, one ray and answer each.
 class Experiment {
 public:
@@ -37,33 +44,37 @@ public:
         m_group.requests.push_back(std::move(request));
     }
 
-    /// Mean of red, green and blue, one a scene.
+    /// One a scene.
     /// \return  nothing if the code did not answer, or not with numbers
-    std::optional<std::vector<double>> run(CheckContext &context) const {
+    std::optional<std::vector<Brightness>> run(CheckContext &context) const {
         const ProbeAnswer answer = context.ask(m_group);
         if (!answer.complete())
             return std::nullopt;
-        std::vector<double> means;
+        std::vector<Brightness> result;
         for (const protocol::Response &response : answer.responses) {
+            const auto [least, most] =
+                std::minmax_element(response.values.begin(), response.values.end());
             double sum = 0;
             for (const double value : response.values)
                 sum += value;
             if (!std::isfinite(sum) || response.values.empty())
                 return std::nullopt;
-            means.push_back(sum / static_cast<double>(response.values.size()));
+            result.push_back({sum / static_cast<double>(response.values.size()), *least, *most});
         }
-        return means;
+        return result;
     }
 
     /// Which scenes are lit, against the brightest.
     std::optional<std::vector<bool>> lit(CheckContext &context) const {
-        const auto means = run(context);
-        if (!means)
+        const auto found = run(context);
+        if (!found)
             return std::nullopt;
-        const double brightest = *std::max_element(means->begin(), means->end());
+        double brightest = 0;
+        for (const Brightness &scene : *found)
+            brightest = std::max(brightest, scene.mean);
         std::vector<bool> result;
-        for (const double mean : *means)
-            result.push_back(mean > kLit * brightest);
+        for (const Brightness &scene : *found)
+            result.push_back(scene.mean > kLit * brightest);
         return result;
     }
 
@@ -118,18 +129,22 @@ std::vector<Guess> experimentWithSlant(CheckContext &context) {
     Experiment experiment;
     for (const double cosine : kCosines) {
         TestScene scene;
-        scene.addMesh(parallelogram({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), {0.5, 0.6, 0.7});
+        scene.addMesh(parallelogram({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), {0.5, 0.5, 0.5});
         const double sine = std::sqrt(1 - cosine * cosine);
-        scene.addPointLight(1.2 * Vector3d(0.6 * sine, 0.8 * sine, cosine), {2, 3, 4});
+        scene.addPointLight(1.2 * Vector3d(0.6 * sine, 0.8 * sine, cosine), {3, 3, 3});
         experiment.add(scene, {{0, 0, 0.5}, {0, 0, -1}});
     }
-    const auto means = experiment.run(context);
-    if (!means || !((*means)[0] > 0))
+    const auto found = experiment.run(context);
+    if (!found)
         return {};
+    for (const Brightness &scene : *found) { // a point light has no noise
+        if (!(scene.mean > 0) || scene.most - scene.least > kTolerance * scene.mean)
+            return {};
+    }
     const auto follows = [&](double power) {
         for (std::size_t i = 1; i < std::size(kCosines); ++i) {
             const double wanted = std::pow(kCosines[i] / kCosines[0], power);
-            if (std::abs((*means)[i] / (*means)[0] / wanted - 1) > kTolerance)
+            if (std::abs((*found)[i].mean / (*found)[0].mean / wanted - 1) > kTolerance)
                 return false;
         }
         return true;

@@ -65,42 +65,45 @@ std::string nameSkyMethod(double variance) {
 
 /// Right means say nothing of the method; the variance does.
 CheckResult judgeMethod(CheckContext &context) {
-    const std::vector<protocol::File> box = imageTemplate("box").fill(context.seed("scene"));
-    const protocol::RequestGroup boxGroup = {
-        box, {imageRequest("", 4 * kNoiseRepeats, context.seed("box"))}};
-
-    SceneRandom random(context.seed("sky scene"));
+    SceneRandom random(context.seed("method scenes"));
     const Eigen::Isometry3d pose = random.rigid(1.5);
     const Vector3d albedo = random.color(0.3, 0.8);
     const Vector3d radiance = random.color(0.5, 2);
     const TestMesh floor = parallelogram({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).transformed(pose);
+    RadianceCase lit; // nothing in it is near the light, where single samples would be the variance
+    lit.rays = raysOnto(floor, lit.columns, 0.35, random);
+    RadianceCase open = lit;
+    TestScene lamp;
+    lamp.addMesh(floor, albedo);
+    lamp.addLight(
+        parallelogram({-0.4, 0.2, 1.2}, {0.9, 0.1, 0.1}, {0, -0.6, 0.1}).transformed(pose),
+        {0, 0, 0}, {.radiance = radiance, .scale = {}, .texture = {}});
+    lit.files = lamp.files();
     TestScene sky;
     sky.addMesh(floor, albedo);
     sky.addEnvironment(radiance);
-    RadianceCase open;
     open.files = sky.files();
-    open.rays = raysOnto(floor, open.columns, 0.35, random);
-    constexpr int kSkyRepeats = 512;
+    constexpr int kRepeats = 512;
+    const protocol::RequestGroup lampGroup = radianceRequest(lit, kRepeats, context.seed("lamp"));
 
-    const ProbeAnswer student = context.ask(boxGroup);
+    const ProbeAnswer student = context.ask(lampGroup);
     if (auto failure = unanswered(student))
         return *failure;
-    const ProbeAnswer below = context.ask(radianceRequest(open, kSkyRepeats, context.seed("sky")));
+    const ProbeAnswer below = context.ask(radianceRequest(open, kRepeats, context.seed("sky")));
     if (auto failure = unanswered(below))
         return *failure;
-    const ProbeAnswer ours = context.askReference(boxGroup);
+    const ProbeAnswer ours = context.askReference(lampGroup);
     if (const auto failure = unanswered(ours))
         return makeResult(Verdict::Infra, "our own program gave no answer: " + failure->message);
 
-    RadianceSamples theirImage(std::size_t{kImageSize} * kImageSize);
-    theirImage.add(student.responses[0].values, 4 * kNoiseRepeats);
-    RadianceSamples ourImage(theirImage.places());
-    ourImage.add(ours.responses[0].values, 4 * kNoiseRepeats);
+    const auto samplesOf = [&](const ProbeAnswer &answer) {
+        RadianceSamples samples(lit.places());
+        samples.add(answer.responses[0].values, kRepeats);
+        return samples;
+    };
     const RatioEstimate light = statistics::varianceRatio(
-        interleaved(theirImage), interleaved(ourImage), {.channels = kChannels});
-
-    RadianceSamples skySamples(open.places());
-    skySamples.add(below.responses[0].values, kSkyRepeats);
+        interleaved(samplesOf(student)), interleaved(samplesOf(ours)), {.channels = kChannels});
+    const RadianceSamples skySamples = samplesOf(below);
     double variance = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         const double unit =

@@ -31,6 +31,20 @@ double meanOf(const RadianceMoments &image) {
     return count > 0 ? sum / count : 0;
 }
 
+/// Whether every place has the same colour: to rounding, and not black.
+bool isOneColour(const RadianceMoments &image) {
+    constexpr double kRounding = 1e-5;
+    bool black = true;
+    for (const auto &channel : image) {
+        for (const statistics::MomentSummary &place : channel) {
+            if (std::abs(place.mean - channel.front().mean) > kRounding * channel.front().mean)
+                return false;
+            black = black && place.mean == 0;
+        }
+    }
+    return !black;
+}
+
 /// Weighted squares of the deviation from a prediction, per place and channel.
 double residual(const RadianceMoments &student, double scale, const Prediction &prediction) {
     double sum = 0;
@@ -79,6 +93,8 @@ std::vector<Guess> guessRadiance(const RadianceMoments &student, const RadianceM
     std::vector<Guess> guesses;
     if (std::abs(mean) <= 1e-9 * std::max(scale, 1e-9))
         guesses.push_back({known.black, 1});
+    if (isOneColour(student) && !isOneColour(expected))
+        guesses.push_back({"ems.constant_image", 1});
     double noise = 0;
     for (const auto &channel : student) {
         for (const statistics::MomentSummary &place : channel)

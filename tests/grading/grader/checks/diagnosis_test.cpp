@@ -120,6 +120,11 @@ TEST(ChoiceMistakes, hold_a_light_alone_and_every_power_of_the_probability) {
         return firstOf(guessRadiance(imageOf(image), imageOf(right), known));
     };
     EXPECT_EQ(first(lights[1]), "ems.light_left_out");
+    std::vector<Vector3d> chosen = lights[2];
+    for (Vector3d &value : chosen)
+        value *= 17.5 / 4.5;
+    EXPECT_EQ(first(chosen), "ems.light_chosen_once");
+    EXPECT_EQ(first(std::vector<Vector3d>(32, Vector3d(0.3, 0.2, 0.1))), "ems.constant_image");
     const double mean[] = {6.0 / 17.5, 7.0 / 17.5, 4.5 / 17.5}; // powers, by the mean of channels
     for (const auto &[power, diagnosis] :
          {std::pair(1, "ems.pick_pdf_forgotten"), std::pair(2, "ems.pick_pdf_multiplied"),
