@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <istream>
+#include <ostream>
 
 namespace attack {
 
@@ -92,6 +94,23 @@ std::string markdown(const std::vector<ReportRow> &rows, const std::string &comm
         text += fmt::format("| {} | {} | {} | {} | {} |\n", row.group, row.name, cell(row.tries),
                             levelsThatContain(row), cell(whatWasSeen(row)));
     return text;
+}
+
+void writeSeen(std::ostream &stream, const Seen &seen) {
+    std::string what = seen.what;
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    const Traces &traces = seen.traces;
+    stream << fmt::format("{:d} {} {} {} {} {} {} {}\n", seen.contained, seen.gained,
+                          traces.processes, traces.controlGroups, traces.mounts, traces.files,
+                          traces.descriptors, what);
+}
+
+bool readSeen(std::istream &stream, Seen &seen) {
+    Traces &traces = seen.traces;
+    stream >> seen.contained >> seen.gained >> traces.processes >> traces.controlGroups >>
+        traces.mounts >> traces.files >> traces.descriptors;
+    stream.ignore(1);
+    return static_cast<bool>(std::getline(stream, seen.what));
 }
 
 } // namespace attack

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,5 +24,10 @@ std::string summarise(const std::vector<ReportRow> &rows, grader::SandboxLevel l
 
 /// Counts, and a table of all attackers.
 std::string markdown(const std::vector<ReportRow> &rows, const std::string &commit);
+
+/// One line, for another process.
+void writeSeen(std::ostream &stream, const Seen &seen);
+/// \return  false if there is no further line
+bool readSeen(std::istream &stream, Seen &seen);
 
 } // namespace attack
