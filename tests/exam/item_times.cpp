@@ -92,8 +92,12 @@ std::vector<ItemTime> ItemClock::measure(const std::filesystem::path &handIn,
         const double score = grader::checkScore(*rule, result.verdict, result.effect);
         lost[check.item] =
             lost[check.item] || (score < 1 && rule->severity != grader::Severity::Blemish);
-        time.isGross = time.isGross || (result.verdict == grader::Verdict::Fail && score == 0 &&
-                                        rule->severity == grader::Severity::Visible);
+        if (!time.isGross && result.verdict == grader::Verdict::Fail && score == 0 &&
+            rule->severity == grader::Severity::Visible) {
+            time.isGross = true;
+            time.decidedWall = time.samplingWall;
+            time.decidedCpu = time.samplingCpu;
+        }
     }
     std::vector<ItemTime> result;
     for (const auto &[id, time] : times) {

@@ -13,10 +13,12 @@ struct ItemTime {
     std::string handIn;
     std::string item;
     bool isGross = false;    ///< a check of it found an error that costs all of its own points
-    double samplingWall = 0; ///< seconds that programs of the hand-in and ours ran for it
-    double samplingCpu = 0;  ///< what they computed: hardly more on a busy machine
-    double judgingCpu = 0;   ///< of the grader itself
-    std::string slowest;     ///< its check that took most
+    double decidedWall = 0;  ///< seconds that programs ran for it until a check confirmed that
+    double decidedCpu = 0;   ///< what they computed: hardly more on a busy machine
+    double samplingWall = 0; ///< same, for all of its checks, which name the mistake
+    double samplingCpu = 0;
+    double judgingCpu = 0; ///< of the grader itself
+    std::string slowest;   ///< its check that took most
     double slowestCpu = 0;
 };
 

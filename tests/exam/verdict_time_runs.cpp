@@ -178,8 +178,12 @@ int measureVerdictTimes(int argc, char **argv) {
                    times.back().phases.at("total"));
         for (const ItemTime &item : times.back().items)
             fmt::print(
-                "    {:<20} {:6.2f} s of sampling, {:5.2f} of CPU; judging {:5.2f}; {} {:.2f}\n",
-                item.item, item.samplingWall, item.samplingCpu, item.judgingCpu, item.slowest,
+                "    {:<20} {}{:.2f} s of sampling, {:.2f} of CPU; judging {:.2f}; {} {:.2f}\n",
+                item.item,
+                item.isGross ? fmt::format("gross after {:.2f} s, {:.2f} of CPU; ",
+                                           item.decidedWall, item.decidedCpu)
+                             : "",
+                item.samplingWall, item.samplingCpu, item.judgingCpu, item.slowest,
                 item.slowestCpu);
         std::cout << std::flush;
         if (isatty(STDERR_FILENO) != 0)

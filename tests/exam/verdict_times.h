@@ -29,7 +29,7 @@ struct VerdictTime {
     const char *kind() const;
 };
 
-/// Most that a grossly wrong item may take, in seconds of sampling.
+/// Most that it may take until it is known that an item is grossly wrong, in seconds of sampling.
 constexpr double kGrossLimit = 2;
 
 /// Grossly wrong items that took longer.

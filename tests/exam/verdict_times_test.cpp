@@ -8,7 +8,7 @@ namespace exam {
 namespace {
 
 ItemTime item(const char *id, bool isGross, double wall) {
-    return {"wrong/it", id, isGross, wall, wall / 2, 0.1, "area.value", wall / 4};
+    return {"wrong/it", id, isGross, wall, wall / 2, 3 * wall, 2 * wall, 0.1, "area.value", wall};
 }
 
 VerdictTime timed(bool isRight, double total, std::vector<ItemTime> items) {
@@ -54,7 +54,11 @@ TEST(VerdictTimes, name_grossly_wrong_items_that_are_late_and_no_others) {
     const std::string text = timesMarkdown(times, "abc");
     EXPECT_NE(text.find("| correct | 1 | 0.10 (0.10) |"), std::string::npos) << text;
     EXPECT_NE(text.find("2 grossly wrong items"), std::string::npos) << text;
-    EXPECT_NE(text.find("- area_light in wrong/it: 2.50 s"), std::string::npos) << text;
+    EXPECT_NE(
+        text.find(
+            "- area_light in wrong/it: 2.50 s of sampling (1.25 s of CPU); all checks: 5.00 s"),
+        std::string::npos)
+        << text;
     EXPECT_EQ(describeTimes(times).find("warp.sphere"), std::string::npos);
 }
 
