@@ -10,6 +10,7 @@ namespace {
 struct Options {
     int runs = 2000;
     int judgements = 100;
+    int stages = 0;
     std::uint64_t seed = 1;
     bool power = false;
     std::string only;
@@ -33,9 +34,17 @@ int calibrate(int argc, char **argv) {
                    "With --power: whole judgements per mistake; each takes 0.2 s")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    app.add_option("--stages", options.stages,
+                   "So many whole judgements of correct code per scene instead: how often the "
+                   "first stage rejects")
+        ->check(CLI::Range(1, 1000000));
     app.add_option("--only", options.only, "With --power: mistakes with this in their names")
         ->type_name("TEXT");
     CLI11_PARSE(app, argc, argv);
+    if (options.stages > 0) {
+        calibration::runStages(options.stages, options.seed);
+        return 0;
+    }
     if (!options.power)
         return calibration::runNull(options.runs, options.seed) ? 0 : 1;
     const bool statistics =

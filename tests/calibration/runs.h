@@ -26,4 +26,7 @@ bool runPowerOfStatistics(int runs, const std::string &only, std::uint64_t seed)
 /// what no pass allows fails in 99.9 % of them, within the binomial 99.9 % limits
 bool runJudgements(int judgements, const std::string &only, std::uint64_t seed);
 
+/// How often the first of three stages rejects correct code in whole judgements of the grader.
+void runStages(int judgements, std::uint64_t seed);
+
 } // namespace calibration

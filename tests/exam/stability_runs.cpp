@@ -6,6 +6,7 @@
 #include <iostream>
 #include <thread>
 
+#include "command.h"
 #include "grading_queue.h"
 #include "hand_in.h"
 #include "patch.h"
@@ -132,6 +133,18 @@ std::vector<Place> rounds(std::size_t handIns, Setting setting, int count) {
     return places;
 }
 
+/// What the grader composes its chance of a false alarm of.
+std::string describeFalseAlarms(const GradingPlaces &places) {
+    const WorkFolder work;
+    const fs::path rubric = places.project / "grading" / "rubrics" / "assignment-2.toml";
+    const Outcome outcome = runCommand(
+        {places.norigrade.string(), "calibrate", rubric.string(), "--bound"}, work.path());
+    if (outcome.exitCode != 0)
+        throw ExamError(fmt::format("norigrade calibrate: {}", outcome.errors));
+    return fmt::format("Composed at commit `{}`.\n\n```text\n{}```\n", commitOf(places.project),
+                       outcome.output);
+}
+
 } // namespace
 
 int measureStability(int argc, char **argv) {
@@ -183,9 +196,11 @@ int measureStability(int argc, char **argv) {
     for (const StableHandIn &handIn : handIns)
         records.push_back(handIn.record);
     fmt::print("\n{}", describeStability(records));
-    if (!options.record.empty())
+    if (!options.record.empty()) {
         replaceSection(options.record, "stability",
                        stabilityMarkdown(records, commitOf(options.places.project)));
+        replaceSection(options.record, "false-alarms", describeFalseAlarms(options.places));
+    }
     const bool right =
         std::all_of(records.begin(), records.end(),
                     [](const StabilityRecord &record) { return record.asExpected(); });

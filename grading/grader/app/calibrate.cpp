@@ -8,6 +8,7 @@
 #include <grader/build/base.h>
 #include <grader/build/cache.h>
 #include <grader/calibration/corpus.h>
+#include <grader/calibration/false_alarms.h>
 #include <grader/calibration/judgement.h>
 #include <grader/calibration/measurements.h>
 #include <grader/digest.h>
@@ -116,14 +117,10 @@ private:
 };
 
 void printBound(const Rubric &rubric, int classSize) {
-    const FalseAlarmBound bound = composeBound(rubric, checkTable(), classSize);
-    fmt::print(
-        "false alarms: composed, not measured: {} checks at 1e-13 each (three stages at 1e-4, "
-        "1e-4 and 1e-5) give at most {:.1e} per hand-in, {:.1e} for {} hand-ins\n",
-        bound.checks, bound.perHandIn, bound.perClass, classSize);
-    if (!bound.unbounded.empty())
-        fmt::print("  not in it, because they decide by a fixed tolerance: {}\n",
-                   fmt::join(bound.unbounded, ", "));
+    const fs::path levels = projectFolder() / "grading/grader/calibration/stage_levels.toml";
+    fmt::print("{}",
+               describeBound(composeBound(rubric, checkTable(), readStageLevels(levels), classSize),
+                             classSize));
 }
 
 /// Items that no hand-in of the corpus can lose: nothing is known of them.
@@ -161,7 +158,11 @@ ExitCode finish(const CalibrateCommand &command, const Rubric &rubric,
         fmt::print("{}: no hand-in with a mistake in it was tried\n", item);
     fmt::print("{} of {} hand-ins are told apart as they must be\n", cases.size() - wrong,
                cases.size());
-    if (wrong > 0 || (command.freeze && (!untried.empty() || !command.only.empty()))) {
+    if (!command.only.empty())
+        fmt::print(
+            "only those with \"{}\" in their name were tried: of the others nothing is said\n",
+            command.only);
+    if (wrong > 0 || (command.freeze && !untried.empty())) {
         if (command.freeze)
             complain("not frozen: " +
                      std::string(wrong > 0 ? "the rubric does not tell all hand-ins apart"
@@ -226,6 +227,10 @@ ExitCode run(const CalibrateCommand &command) {
     std::vector<CorpusCase> cases;
     try {
         rubric = loadRubric(command.rubric);
+        if (command.boundOnly) {
+            printBound(rubric, command.classSize);
+            return ExitCode::Done;
+        }
         cases = readCorpus(command.corpus.empty() ? projectFolder() / "tests" : command.corpus,
                            command.only);
         dropForeign(rubric, cases);

@@ -9,9 +9,10 @@ namespace {
 
 constexpr char kCalibrateExamples[] = R"(
 Grades right and wrong hand-ins of the project: right ones must keep every point, a wrong one must
-lose on the item of its mistake and on no other. What was measured is kept: with other weights a
-second call only adds up again. Also says what the chance of a false alarm in a class is composed of.
-Exit code 1: the rubric does not tell them apart, and nothing is frozen.
+lose on the item of its mistake and on no other. They are some hundred gradings. What was
+measured is kept: an interrupted call goes on, and with other weights a second call only adds up
+again. Also says what the chance of a false alarm in a class is composed of.
+Exit codes: 0 all are told apart, 1 not, and nothing is frozen, 75 interrupted.
 
 Examples:
   norigrade calibrate my-rubric.toml --only wrong/
@@ -39,8 +40,10 @@ const CLI::App *addCalibrate(CLI::App &program, CalibrateCommand &command) {
                      "Folder with submissions/, mutants/ and variants/ (default: tests/ of the "
                      "source tree that the program was built from)")
         ->type_name("DIR");
-    verb->add_option("--only", command.only, "Only hand-ins with this text in their name")
-        ->type_name("TEXT");
+    CLI::Option *only =
+        verb->add_option("--only", command.only,
+                         "Only hand-ins with this text in their name: for a look at a part")
+            ->type_name("TEXT");
     verb->add_option("--seeds", command.seeds,
                      "Random numbers that each is graded with (default: 1)")
         ->type_name("N")
@@ -52,8 +55,12 @@ const CLI::App *addCalibrate(CLI::App &program, CalibrateCommand &command) {
                      "Hand-ins that the bound on false alarms is for (default: 300)")
         ->type_name("N")
         ->check(CLI::Range(1, kLargestClass));
+    CLI::Option *bound =
+        verb->add_flag("--bound", command.boundOnly, "Only print that bound, and grade nothing");
     verb->add_flag("--freeze", command.freeze,
-                   "If all is well, write RUBRIC.frozen, which `grade` compares with the rubric");
+                   "If all is well, write RUBRIC.frozen, which `grade` compares with the rubric")
+        ->excludes(bound)
+        ->excludes(only);
     verb->footer(kCalibrateExamples);
     return verb;
 }

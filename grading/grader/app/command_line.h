@@ -33,6 +33,7 @@ struct CalibrateCommand {
     int seeds = 1;
     int jobs = 1;
     int classSize = 300;
+    bool boundOnly = false; ///< grade nothing
     bool freeze = false;
 };
 

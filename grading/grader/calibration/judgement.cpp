@@ -96,26 +96,4 @@ std::vector<std::string> judgeCase(const Rubric &rubric, const CorpusCase &which
     return findings;
 }
 
-FalseAlarmBound composeBound(const Rubric &rubric, const std::vector<Check> &table, int classSize) {
-    FalseAlarmBound bound;
-    for (const RubricItem &item : rubric.items) {
-        for (const RubricCheck &rule : item.checks) {
-            if (rule.severity == Severity::Blemish || (rule.weight == 0 && rule.keeps >= 1))
-                continue;
-            const auto check = std::find_if(table.begin(), table.end(),
-                                            [&](const Check &row) { return row.id == rule.id; });
-            if (check == table.end())
-                continue;
-            if (std::isnan(check->falseAlarm)) {
-                bound.unbounded.push_back(rule.id);
-                continue;
-            }
-            ++bound.checks;
-            bound.perHandIn += check->falseAlarm;
-        }
-    }
-    bound.perClass = bound.perHandIn * classSize;
-    return bound;
-}
-
 } // namespace grader

@@ -16,14 +16,4 @@ namespace grader {
 std::vector<std::string> judgeCase(const Rubric &rubric, const CorpusCase &which,
                                    const std::vector<CheckResult> &outcomes);
 
-/// Chance that right code of a class loses anything, composed of levels, never measured.
-struct FalseAlarmBound {
-    double perHandIn = 0; ///< union bound over the checks that can cost
-    double perClass = 0;
-    std::size_t checks = 0;             ///< in the bound
-    std::vector<std::string> unbounded; ///< checks that decide by a fixed tolerance instead
-};
-
-FalseAlarmBound composeBound(const Rubric &rubric, const std::vector<Check> &table, int classSize);
-
 } // namespace grader

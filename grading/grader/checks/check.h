@@ -24,8 +24,14 @@ public:
                                int replicate = 0) const = 0;
 };
 
-/// Levels 1e-4, 1e-4 and 1e-5 of three stages with fresh random numbers (statistics.md 2.0).
-constexpr double kTripleLockLevel = 1e-13;
+/// What an accusation rests on, and so what its chance to meet right code is composed of.
+enum class Evidence {
+    Fixed,      ///< one comparison with a fixed tolerance, far above rounding and noise: no level
+    WarpPoints, ///< three stages with fresh numbers: cells of a warp's independent points
+    Cells,      ///< same: cells of points on meshes, of directions
+    Images,     ///< same: means and tiles of images and rays
+    Noise,      ///< same: errors of images against what their noise promises
+};
 
 /// One row of the check table.
 struct Check {
@@ -35,9 +41,8 @@ struct Check {
     std::string what;     ///< one sentence for people: what is claimed of right code
     double tolerance = 0; ///< default of RubricCheck::tolerance
     double gross = 0;     ///< default of RubricCheck::gross
-    /// Chance that right code fails, composed of the levels of the stages that have to agree; NaN
-    /// where one comparison with a fixed tolerance decides instead.
-    double falseAlarm = kTripleLockLevel;
+    Evidence evidence = Evidence::Fixed;
+    int locks = 1; ///< times that three stages could accuse: per parameter, per way of looking
     std::function<CheckResult(CheckContext &)> run;
 };
 

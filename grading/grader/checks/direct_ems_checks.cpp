@@ -295,6 +295,8 @@ Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t
     check.what = what;
     check.tolerance = 0.002;
     check.gross = 0.05;
+    check.evidence = Evidence::Images;
+    check.locks = kRadianceLocks;
     check.run = [=](CheckContext &context) {
         CheckResult result = judgeRadiance(context, make(context.seed("scene")));
         if (result.verdict == Verdict::Fail && experiment != nullptr) {

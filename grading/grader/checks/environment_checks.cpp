@@ -318,7 +318,7 @@ std::string skyMap() {
 }
 
 std::vector<Check> environmentChecks() {
-    return {
+    std::vector<Check> checks = {
         row("direction", "sample gives a unit direction.", samples(judgeDirections)),
         row("distribution", "Directions are uniform on the sphere, or follow pdf.",
             judgeDistribution),
@@ -332,6 +332,11 @@ std::vector<Check> environmentChecks() {
             judgeForeignRecord),
         row("constant", "A constant environment works.", samples(judgeValue, true)),
     };
+    for (Check &check : checks) {
+        if (check.id == "environment.distribution")
+            check.evidence = Evidence::Cells;
+    }
+    return checks;
 }
 
 } // namespace grader

@@ -193,7 +193,10 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
     check.what = what;
     check.tolerance = 0.01;
     check.gross = 0.3;
-    check.falseAlarm = kNoNumber;
+    if (run == judgeUnbiased) {
+        check.evidence = Evidence::Images;
+        check.locks = kRadianceLocks;
+    }
     check.run = run;
     return check;
 }

@@ -230,7 +230,7 @@ CheckResult normals(CheckContext &context, Shape shape) {
 } // namespace
 
 std::vector<Check> meshChecks() {
-    return {
+    std::vector<Check> checks = {
         row("position", "Points lie on the mesh.",
             [](CheckContext &context) { return positions(context, Shape::Parallelogram); }),
         row("uniform", "Points are uniform on a light of two equal triangles.",
@@ -253,6 +253,11 @@ std::vector<Check> meshChecks() {
                                         uvError, guessUvs);
             }),
     };
+    for (Check &check : checks) {
+        if (check.id == "mesh.uniform" || check.id == "mesh.unequal")
+            check.evidence = Evidence::Cells;
+    }
+    return checks;
 }
 
 } // namespace grader

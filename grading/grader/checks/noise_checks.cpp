@@ -160,7 +160,7 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
     check.what = what;
     check.tolerance = 0.03;
     check.gross = 0.3;
-    check.falseAlarm = run == judgeIndependence ? kTripleLockLevel : kNoNumber;
+    check.evidence = run == judgeIndependence ? Evidence::Noise : Evidence::Fixed;
     check.run = run;
     return check;
 }

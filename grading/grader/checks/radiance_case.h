@@ -39,6 +39,10 @@ struct RadianceCase {
     }
 };
 
+/// Sets of three stages that judgeRadiance() may accuse after: the image as a whole, tiles that
+/// stand out, pixels that stand out.
+constexpr int kRadianceLocks = 3;
+
 /// Judges the mean of Li per ray or pixel: global scale, sum of squares and worst tile per channel,
 /// with skewness correction, tolerance and triple lock; every stage takes up to kLooks looks at
 /// samples that double. Where there is no closed form, our own estimator is compared at equal

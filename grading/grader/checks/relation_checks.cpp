@@ -206,10 +206,12 @@ Check row(const char *name, const char *what, std::function<CheckResult(CheckCon
 std::vector<Check> relationChecks() {
     std::vector<Check> checks = {
         row("scaled", "Lights k times as strong make every sample k times as large.", judgeScaled)};
-    for (const Relation &relation : relations())
+    for (const Relation &relation : relations()) {
         checks.push_back(row(relation.name, relation.what, [relation](CheckContext &context) {
             return judgeRelation(context, relation);
         }));
+        checks.back().evidence = Evidence::Images;
+    }
     return checks;
 }
 

@@ -156,7 +156,6 @@ Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)
     check.what = what;
     check.tolerance = 0.01;
     check.gross = 0.2;
-    check.falseAlarm = kNoNumber;
     check.run = run;
     return check;
 }

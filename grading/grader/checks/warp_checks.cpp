@@ -293,7 +293,11 @@ std::vector<Check> warpChecks() {
         row.id = item + ".samples";
         row.what = fmt::format("{} gives points of the right density.", warp.warpFunction);
         row.run = atEveryParameter(warp, judgeSamplesAt);
+        row.evidence = Evidence::WarpPoints;
+        row.locks = static_cast<int>(warp.parameters.size());
         checks.push_back(row);
+        row.evidence = Evidence::Fixed;
+        row.locks = 1;
         row.id = item + ".edges";
         row.what = fmt::format("{} stays in its domain for samples of exactly 0 and the like.",
                                warp.warpFunction);

@@ -76,6 +76,12 @@ TEST(CommandLine, ReadsCalibrateAndLanguages) {
     EXPECT_EQ(calibrate.corpus, "c");
     EXPECT_EQ(calibrate.classSize, 300);
     EXPECT_TRUE(calibrate.freeze);
+    EXPECT_FALSE(calibrate.boundOnly);
+    // A part says nothing of the whole: found before the work, not after it.
+    EXPECT_NE(mistake({"calibrate", "r.toml", "--freeze", "--only", "disk"}).find("--only"),
+              std::string::npos);
+    EXPECT_NE(mistake({"calibrate", "r.toml", "--freeze", "--bound"}).find("--bound"),
+              std::string::npos);
     EXPECT_TRUE(std::holds_alternative<UsageMistake>(parseCommandLine({"calibrate"})));
     const auto languageWith = [](const char *code) {
         return std::get<GradeCommand>(parseCommandLine({"check", "a", "--lang", code})).language;

@@ -95,19 +95,4 @@ TEST(JudgeCase, never_takes_our_own_failure_for_a_result) {
     EXPECT_EQ(judgeCase(rubricOf(), wrongDisk(), outcomesOf(Verdict::Infra, 0)).size(), 1U);
 }
 
-TEST(ComposeBound, adds_what_can_cost_and_names_what_has_no_level) {
-    Rubric rubric = rubricOf();
-    std::vector<Check> table(2);
-    table[0].id = "disk.a";
-    table[1].id = "area.a";
-    table[1].falseAlarm = kNoNumber;
-    const FalseAlarmBound bound = composeBound(rubric, table, 300);
-    EXPECT_EQ(bound.checks, 1U);
-    EXPECT_DOUBLE_EQ(bound.perHandIn, 1e-13);
-    EXPECT_DOUBLE_EQ(bound.perClass, 3e-11);
-    EXPECT_EQ(bound.unbounded, std::vector<std::string>{"area.a"});
-    rubric.items[0].checks[0].severity = Severity::Blemish;
-    EXPECT_EQ(composeBound(rubric, table, 300).checks, 0U);
-}
-
 } // namespace grader
