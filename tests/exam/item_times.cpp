@@ -89,7 +89,7 @@ std::vector<ItemTime> ItemClock::measure(const std::filesystem::path &handIn,
         time.handIn = name;
         time.item = check.item;
         add(time, check.id, Reading::now(runner).since(start));
-        const double score = grader::checkScore(*rule, result.verdict, result.effect);
+        const double score = grader::checkScore(*rule, result.verdict, result.effect, result.floor);
         lost[check.item] =
             lost[check.item] || (score < 1 && rule->severity != grader::Severity::Blemish);
         if (!time.isGross && result.verdict == grader::Verdict::Fail && score == 0 &&

@@ -35,6 +35,10 @@ std::string whyFree(const RubricItem &item, const RubricCheck &rule, const Check
     if (found.verdict == Verdict::Fail && std::abs(found.effect) <= rule.tolerance)
         return fmt::format("its effect of {:.3g} is within the tolerance of {:g}", found.effect,
                            rule.tolerance);
+    if (found.verdict == Verdict::Fail && std::abs(found.effect) <= found.floor)
+        return fmt::format("its effect of {:.3g} is one that only some seeds find: all do from "
+                           "{:.3g} on",
+                           found.effect, found.floor);
     if (rule.severity == Severity::Latent && item.latentFraction == 0)
         return "it is latent, and latent_fraction is 0";
     return fmt::format("its part of {} points is less than a hundredth", formatPoints(item.points));

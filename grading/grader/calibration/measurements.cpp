@@ -37,6 +37,7 @@ void writeMeasurements(const std::filesystem::path &file, const std::vector<Chec
         list.push_back({{"id", check.id},
                         {"verdict", verdictName(check.verdict)},
                         {"effect", std::isfinite(check.effect) ? Json(check.effect) : Json()},
+                        {"floor", std::isfinite(check.floor) ? Json(check.floor) : Json()},
                         {"message", check.message},
                         {"diagnoses", std::move(diagnoses)}});
     }
@@ -54,6 +55,7 @@ std::optional<std::vector<CheckResult>> readMeasurements(const std::filesystem::
             check.id = row.at("id").get<std::string>();
             check.verdict = verdictOf(row.at("verdict").get<std::string>());
             check.effect = row.at("effect").is_null() ? kNoNumber : row.at("effect").get<double>();
+            check.floor = row.at("floor").is_null() ? kNoNumber : row.at("floor").get<double>();
             check.message = row.at("message").get<std::string>();
             for (const Json &guess : row.at("diagnoses"))
                 check.diagnoses.push_back(

@@ -22,7 +22,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kUniformPdf = 1 / (4 * kPi);
 constexpr double kTolerance = 1e-3;
-constexpr int kSamples = 1 << 15;
+constexpr int kSamples = 1 << 18; ///< of the first stage; the others take twice as many
 constexpr int kZCells = 16;
 constexpr int kPhiCells = 16;
 constexpr int kNodes = 8; ///< midpoints per side of a cell, for a density that is not uniform
@@ -248,8 +248,8 @@ CheckResult judgeDistribution(CheckContext &context) {
         rows = answer.rows;
         return compareDirections(rows, expected);
     };
-    const statistics::LockResult lock =
-        statistics::tripleLock(stage, {.tolerance = kToleratedRms, .passLimit = 0.2});
+    const statistics::LockResult lock = statistics::tripleLock(
+        stage, {.tolerance = kToleratedRms, .passLimit = 0.2, .sampleFactor = {1, 2, 2}});
     if (failure)
         return *failure;
     const statistics::StageResult &last = lock.stages.back();
@@ -263,6 +263,7 @@ CheckResult judgeDistribution(CheckContext &context) {
                     100 * last.effectBound));
     result.effect = last.effect;
     result.mde = last.mde;
+    result.floor = lock.stages.front().mde;
     result.p = last.pValue;
     if (result.verdict == Verdict::Fail)
         result.diagnoses = guessDirections(rows, uniform);

@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kSamples = 1 << 16;
 constexpr double kMinExpected = 20; ///< per pooled cell: the cells are unequal
+/// Of the first stage that judges a density; the others' answers are twice as large.
+constexpr int kDensitySamples = 1 << 19;
 constexpr double kToleratedRms = 0.01;
 constexpr double kPositionTolerance = 1e-4; ///< of the mesh's size
 constexpr double kNormalTolerance = 2e-3;
@@ -96,7 +98,7 @@ struct Uniformity {
 Uniformity uniformityStage(CheckContext &context, const TestMesh &mesh,
                            const statistics::StageRequest &request) {
     Uniformity result;
-    const int count = kSamples * request.sampleFactor;
+    const int count = kDensitySamples * request.sampleFactor;
     const MeshAnswer answer = askSamples(context, mesh, count, static_cast<int>(request.index));
     if (answer.failure) {
         result.failure = answer.failure;
@@ -139,7 +141,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
             asked = double{kSamples} * request.sampleFactor;
             return found.stage;
         },
-        {.tolerance = kToleratedRms, .passLimit = 0.2});
+        {.tolerance = kToleratedRms, .passLimit = 0.2, .sampleFactor = {1, 2, 2}});
     if (failure)
         return *failure;
     const statistics::StageResult &last = lock.stages.back();
@@ -154,6 +156,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
         verdict == Verdict::Fail ? guessCells(mesh, counts, asked) : MeshGuesses{});
     result.effect = last.effect;
     result.mde = last.mde;
+    result.floor = lock.stages.front().mde;
     result.p = last.pValue;
     return result;
 }

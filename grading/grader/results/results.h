@@ -54,6 +54,7 @@ struct CheckResult {
     Verdict verdict = Verdict::Infra;
     double effect = kNoNumber; ///< size of the deviation, relative unless `message` says otherwise
     double mde = kNoNumber;    ///< minimal detectable effect at the check's level and power
+    double floor = kNoNumber;  ///< effect that every seed finds; a smaller one costs nothing
     double p = kNoNumber;      ///< of the last stage that was run
     std::string message;       ///< one sentence: what was measured and found
     std::string diagnosis;     ///< the first of `diagnoses` in a sentence; empty when there is none

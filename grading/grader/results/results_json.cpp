@@ -43,6 +43,7 @@ Json checkJson(const CheckResult &check) {
             {"score", number(check.score)},
             {"effect", number(check.effect)},
             {"mde", number(check.mde)},
+            {"floor", number(check.floor)},
             {"p", number(check.p)},
             {"message", check.message},
             {"diagnosis", check.diagnosis},

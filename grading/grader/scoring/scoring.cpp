@@ -32,7 +32,7 @@ CheckResult outcomeOf(const RubricCheck &rule, const std::vector<CheckResult> &o
         check.message = "This check was not run.";
     check.id = rule.id;
     check.severity = rule.severity;
-    check.score = checkScore(rule, check.verdict, check.effect);
+    check.score = checkScore(rule, check.verdict, check.effect, check.floor);
     return check;
 }
 
@@ -68,7 +68,7 @@ double keptFraction(const RubricItem &item, const std::vector<CheckResult> &chec
 
 } // namespace
 
-double checkScore(const RubricCheck &rule, Verdict verdict, double effect) {
+double checkScore(const RubricCheck &rule, Verdict verdict, double effect, double floor) {
     switch (verdict) {
     case Verdict::Pass:
     case Verdict::Inconclusive:
@@ -91,7 +91,8 @@ double checkScore(const RubricCheck &rule, Verdict verdict, double effect) {
     // Also where a table gives no bounds: then any proven defect is gross.
     if (size >= rule.gross || rule.tolerance <= 0)
         return 0;
-    return 1 - std::log(size / rule.tolerance) / std::log(rule.gross / rule.tolerance);
+    const double least = floor > rule.tolerance ? floor : rule.tolerance;
+    return size <= least ? 1 : 1 - std::log(size / least) / std::log(rule.gross / least);
 }
 
 Verdict worseVerdict(Verdict a, Verdict b) {

@@ -13,7 +13,12 @@ namespace grader {
 /// Pass keeps all; Inconclusive too, since a point is lost only with proof; Infra and Human never
 /// cost. Fail costs by effect: nothing up to the tolerance, all from `gross` on, log-linear in
 /// between, all where the effect is unknown. Missing, BuildError, Crash and Timeout cost all.
-double checkScore(const RubricCheck &rule, Verdict verdict, double effect);
+///
+/// \param floor  effect that every seed finds, NaN if there is no noise: takes the tolerance's
+/// place
+///               where it is larger, so that points do not hang on the seed
+double checkScore(const RubricCheck &rule, Verdict verdict, double effect,
+                  double floor = kNoNumber);
 
 /// The worse of two verdicts of one item. From the worst: missing, build_error, crash, timeout,
 /// fail (something is proven), then human, infra, inconclusive, pass.

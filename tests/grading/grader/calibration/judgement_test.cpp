@@ -64,6 +64,11 @@ TEST(JudgeCase, says_which_weight_or_tolerance_makes_a_mistake_free) {
         return findings.empty() ? std::string() : findings[0];
     };
     RubricCheck check = rubricOf().items[0].checks[0];
+    std::vector<CheckResult> uncertain = outcomesOf(Verdict::Fail, 0.05);
+    uncertain[0].floor = 0.1;
+    const auto findings = judgeCase(rubricOf(), wrongDisk(), uncertain);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_NE(findings[0].find("only some seeds find"), std::string::npos) << findings[0];
     EXPECT_NE(findingWith(check, 0.005).find("within the tolerance of 0.01"), std::string::npos);
     check.severity = Severity::Blemish;
     EXPECT_NE(findingWith(check, 1).find("it is a blemish"), std::string::npos);

@@ -54,6 +54,18 @@ TEST(CheckScore, FallsLogLinearlyFromToleranceToGross) {
     EXPECT_EQ(checkScore(check, Verdict::Fail, kNoNumber), 0);
 }
 
+TEST(CheckScore, StartsToFallWhereEverySeedFindsTheError) {
+    const RubricCheck check = rule("a"); // 0.01 to 1
+    EXPECT_EQ(checkScore(check, Verdict::Fail, 0.05, 0.1), 1) << "only some seeds find it";
+    EXPECT_EQ(checkScore(check, Verdict::Fail, 0.1, 0.1), 1);
+    EXPECT_NEAR(checkScore(check, Verdict::Fail, 0.1001, 0.1), 1, 1e-3) << "no jump";
+    EXPECT_NEAR(checkScore(check, Verdict::Fail, std::sqrt(0.1), 0.1), 0.5, 1e-12);
+    EXPECT_EQ(checkScore(check, Verdict::Fail, 1, 0.1), 0) << "gross is gross";
+    EXPECT_NEAR(checkScore(check, Verdict::Fail, 0.1, 0.001), 0.5, 1e-12) << "the tolerance counts";
+    EXPECT_EQ(checkScore(check, Verdict::Fail, 2, 5), 0);
+    EXPECT_EQ(checkScore(check, Verdict::Timeout, 0, 0.1), 0);
+}
+
 TEST(CheckScore, IsAllOrNothingWithoutBounds) {
     RubricCheck check = rule("a");
     check.tolerance = check.gross = 0;
