@@ -138,7 +138,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
             Uniformity found = uniformityStage(context, mesh, request);
             failure = found.failure;
             counts = std::move(found.counts);
-            asked = double{kSamples} * request.sampleFactor;
+            asked = double{kDensitySamples} * request.sampleFactor;
             return found.stage;
         },
         {.tolerance = kToleratedRms, .passLimit = 0.2, .sampleFactor = {1, 2, 2}});

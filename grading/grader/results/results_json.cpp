@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);

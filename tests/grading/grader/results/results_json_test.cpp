@@ -53,7 +53,7 @@ TEST(ResultsJson, IsRefusedByTheSchemaWhenItIsDamaged) {
 
 TEST(ResultsJson, HoldsTheFactsUnderTheirNames) {
     const Json json = Json::parse(resultsJson(runOf(support::sampleResult())));
-    EXPECT_EQ(json["schema"], 1);
+    EXPECT_EQ(json["schema"], 2);
     const Json &submission = json["submissions"][0];
     EXPECT_EQ(submission["name"], "p2_123456_654321");
     EXPECT_EQ(submission["members"], Json::array({"123456", "654321"}));
