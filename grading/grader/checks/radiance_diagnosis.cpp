@@ -93,8 +93,6 @@ std::vector<Guess> guessRadiance(const RadianceMoments &student, const RadianceM
     std::vector<Guess> guesses;
     if (std::abs(mean) <= 1e-9 * std::max(scale, 1e-9))
         guesses.push_back({known.black, 1});
-    if (isOneColour(student) && !isOneColour(expected))
-        guesses.push_back({"ems.constant_image", 1});
     double noise = 0;
     for (const auto &channel : student) {
         for (const statistics::MomentSummary &place : channel)
@@ -120,6 +118,8 @@ std::vector<Guess> guessRadiance(const RadianceMoments &student, const RadianceM
         if (fit >= kLeastFit)
             guesses.push_back({hypothesis.diagnosis, fit});
     }
+    if (isOneColour(student) && !isOneColour(expected))
+        guesses.push_back({"ems.constant_image", 1});
     const double factor = scale > 0 ? mean / scale : 1;
     const double common =
         fitOf([&](std::size_t i, std::size_t c) { return factor * expected[c][i].mean; });

@@ -148,6 +148,34 @@ double differingPart(const std::vector<float> &a, const std::vector<float> &b, d
     return differing / static_cast<double>(a.size());
 }
 
+/// Whether the same random numbers choose the same lights in the scenes of two folders: the part of
+/// them that does not. 0 if the code does not say.
+double differingChoices(CheckContext &context, const std::vector<protocol::File> &files,
+                        const std::string &folder, const std::string &other) {
+    constexpr int kDraws = 4096;
+    SceneRandom random(context.seed("choices"));
+    protocol::RequestGroup group;
+    group.files = files;
+    protocol::Request request;
+    request.op = protocol::Op::EmitterPick;
+    for (int i = 0; i < kDraws; ++i)
+        request.values.push_back(random.nextFloat());
+    for (const std::string &place : {folder, other}) {
+        request.text = place + "/" + TestScene::kFileName;
+        group.requests.push_back(request);
+    }
+    const ProbeAnswer answer = context.ask(group);
+    if (!answer.complete())
+        return 0;
+    const std::vector<float> &picks = answer.responses[0].values;
+    const std::vector<float> &others = answer.responses[1].values;
+    int differing = 0;
+    for (std::size_t at = 0; at < std::min(picks.size(), others.size());
+         at += protocol::kEmitterPickSize)
+        differing += picks[at] == others[at] ? 0 : 1;
+    return static_cast<double>(differing) / kDraws;
+}
+
 /// With the same random numbers, k times as strong lights give k times every single sample.
 CheckResult judgeScaled(CheckContext &context) {
     const SceneTemplate scene = imageTemplate("table");
@@ -177,6 +205,13 @@ CheckResult judgeScaled(CheckContext &context) {
             fmt::format("{:.2g} % of the samples differ when the same random numbers are given "
                         "again: are others used, rand() for instance?",
                         100 * unstable));
+    // Probabilities that do not scale are the choice's fault, and judged with it.
+    const double otherwise = differingChoices(context, group.files, folderOf(0), folderOf(1));
+    if (otherwise > kOtherChoices)
+        return makeResult(Verdict::Inconclusive,
+                          fmt::format("With lights {} times as strong, {:.2g} % of the random "
+                                      "numbers choose another light: samples cannot be compared.",
+                                      kFactor, 100 * otherwise));
     const double differing = differingPart(plain, answer.responses[1].values, kFactor);
     CheckResult result = makeResult(
         differing <= kOtherChoices ? Verdict::Pass : Verdict::Fail,

@@ -127,9 +127,9 @@ const Variant &CheckRunner::variant(const VariantPlan &plan, const Group &group)
     return m_variants.emplace(key, m_builder.build(plan)).first->second;
 }
 
-bool CheckRunner::upstreamIn(const std::set<std::string> &groups, const Group &group) {
+bool CheckRunner::upstreamAtFault(const Group &group) const {
     return std::any_of(group.upstream.begin(), group.upstream.end(),
-                       [&](const std::string &id) { return groups.count(id) != 0; });
+                       [&](const std::string &id) { return m_atFault.count(id) != 0; });
 }
 
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
@@ -175,8 +175,7 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
 }
 
 CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first) {
-    const bool upstreamAtFault = upstreamIn(m_atFault, group);
-    const bool excusable = upstreamAtFault || upstreamIn(m_suspected, group);
+    const bool excusable = upstreamAtFault(group);
     // The integrator and the emitters may each be right and yet not agree on who divides by the
     // density: then nothing upstream is charged, and the disagreement is the integrator's.
     const bool mayDisagree = group.id == "direct_ems" && first.verdict == Verdict::Fail;
@@ -184,7 +183,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         return first;
     CheckResult best = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
-    for (const VariantPlan &plan : followThroughPlans(group, !upstreamAtFault && excusable)) {
+    for (const VariantPlan &plan : followThroughPlans(group)) {
         CheckResult result = runOn(check, variant(plan, group));
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
@@ -210,7 +209,6 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
 
 void CheckRunner::startAnew() {
     m_atFault.clear();
-    m_suspected.clear();
     m_chosenWrongly.clear();
     m_endless.clear();
 }
@@ -273,11 +271,9 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
     if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
         m_endless.insert(group.id);
     for (const CheckResult &result : results) {
-        if (isAtFault(result.verdict))
-            m_atFault.insert(group.id);
         // With an integrator under suspicion the choice is judged with ours, too.
-        if (m_chosenWrongly.count(result.id) != 0)
-            m_suspected.insert(group.id);
+        if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
+            m_atFault.insert(group.id);
     }
     return results;
 }

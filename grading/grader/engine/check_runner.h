@@ -34,7 +34,7 @@ public:
     void startAnew();
 
     /// Whether a check of any group that was run has failed.
-    bool foundFault() const { return !m_atFault.empty() || !m_suspected.empty(); }
+    bool foundFault() const { return !m_atFault.empty(); }
 
     /// Wall seconds that probes have run.
     double sampleSeconds() const { return m_sampleSeconds; }
@@ -44,7 +44,7 @@ private:
     CheckResult measure(const Check &check, const Variant &variant);
     CheckResult follow(const Check &check, const Group &group, CheckResult first);
     const Variant &variant(const VariantPlan &plan, const Group &group);
-    static bool upstreamIn(const std::set<std::string> &groups, const Group &group);
+    bool upstreamAtFault(const Group &group) const;
 
     const Sandbox &m_sandbox;
     const EngineOptions &m_options;
@@ -56,8 +56,7 @@ private:
     std::map<std::string, CheckResult> m_measured;      ///< by check id and plan name
     std::mutex m_mutex;                                 ///< of the three maps
     std::set<std::string> m_atFault;                    ///< groups with a check that failed
-    std::set<std::string> m_suspected; ///< groups that fail with the hand-in's Scene only
-    std::set<std::string> m_endless;   ///< ids of groups with a check that ran into a time limit
+    std::set<std::string> m_endless; ///< ids of groups with a check that ran into a time limit
     std::atomic<double> m_sampleSeconds{0};
 };
 

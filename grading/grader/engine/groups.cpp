@@ -65,7 +65,7 @@ VariantPlan studentPlan(const Group &group) {
     return plan;
 }
 
-std::vector<VariantPlan> followThroughPlans(const Group &group, bool keepGiven) {
+std::vector<VariantPlan> followThroughPlans(const Group &group) {
     const std::set<std::string> units = upstreamUnits(group);
     if (units.empty())
         return {};
@@ -96,13 +96,6 @@ std::vector<VariantPlan> followThroughPlans(const Group &group, bool keepGiven) 
     }
     if (sharesFiles)
         plans.push_back(std::move(ours));
-    for (VariantPlan &plan : plans) {
-        if (!keepGiven)
-            break;
-        plan.name += ", the files of Assignment 1 as handed in";
-        for (const std::string &unit : kGivenUnits)
-            plan.origins[unit] = Origin::Student;
-    }
     return plans;
 }
 

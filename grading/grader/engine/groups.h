@@ -34,8 +34,6 @@ VariantPlan studentPlan(const Group &group);
 /// The group's own files over our upstream: what tells whether a failure is the group's or was
 /// charged upstream already. One per convention of Emitter::sample and, where Scene is upstream,
 /// with the hand-in's Scene and with the starter's; most faithful first.
-/// \param keepGiven  leave the hand-in's files of Assignment 1 where they are: without an error of
-///                   the upstream's own, what they say of a light's power is the group's work
-std::vector<VariantPlan> followThroughPlans(const Group &group, bool keepGiven = false);
+std::vector<VariantPlan> followThroughPlans(const Group &group);
 
 } // namespace grader

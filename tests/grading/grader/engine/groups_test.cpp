@@ -51,14 +51,6 @@ TEST(Groups, FollowThroughNeverReplacesWhatIsJudgedAlone) {
         << "two conventions of Emitter::sample, with the hand-in's Scene and without";
 }
 
-TEST(Groups, KeepTheFilesOfAssignment1WhereAsked) {
-    const Group &group = findGroup("importance");
-    for (const VariantPlan &plan : followThroughPlans(group, true))
-        EXPECT_EQ(plan.origins.at("pointlight.cpp"), Origin::Student) << plan.name;
-    for (const VariantPlan &plan : followThroughPlans(group))
-        EXPECT_EQ(plan.origins.count("pointlight.cpp"), 0u) << plan.name;
-}
-
 TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
     std::set<std::string> ids;
     for (const Check &check : checkTable()) {
