@@ -85,6 +85,7 @@ std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> 
     };
     for (const Vector3d &weights : {Vector3d(0.212671, 0.715160, 0.072169), Vector3d(1, 1, 1)}) {
         std::vector<double> once;
+        once.reserve(intensities.size());
         double sum = 0;
         for (const Vector3d &intensity : intensities)
             sum += weights.dot(intensity);
