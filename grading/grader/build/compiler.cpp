@@ -121,6 +121,11 @@ Built Compiler::produce(const std::string &kind, const std::string &key, const s
         return result;
     if (std::filesystem::exists(failed))
         return parseDiagnostics(unit, readTextFile(failed), names);
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        if (const auto stopped = m_stopped.find(key); stopped != m_stopped.end())
+            return stopped->second;
+    }
 
     const std::filesystem::path scratch = m_cache.makeScratch();
     spec.binds.push_back({scratch, "/out", true});
@@ -158,10 +163,12 @@ Built Compiler::produce(const std::string &kind, const std::string &key, const s
             failure.errors.push_back({"", 0, 0, outcome.log.substr(0, 500)});
         return failure;
     }
-    // Ran into a limit: not kept, another try may do better.
+    // Ran into a limit: kept for this hand-in only, another day's try may do better.
     BuildFailure failure = parseDiagnostics(unit, outcome.log, names);
     failure.errors.insert(failure.errors.begin(),
                           {"", 0, 0, "the compiler was stopped: " + describe(outcome.end)});
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_stopped[key] = failure;
     return failure;
 }
 

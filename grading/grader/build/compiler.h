@@ -9,6 +9,7 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,7 +26,8 @@ struct UnitSource {
 /// A built file in the cache, or why there is none.
 using Built = std::variant<std::filesystem::path, BuildFailure>;
 
-/// g++ in the box. What was compiled before, by anyone, comes from the cache. Thread-safe.
+/// g++ in the box. What was compiled before, by anyone, comes from the cache; what ran into a limit
+/// is not tried again by this object, but by the next one. Thread-safe.
 class Compiler {
 public:
     /// \throws GraderError  if the machine has no g++
@@ -51,7 +53,9 @@ private:
 
     const Sandbox &m_sandbox;
     const Cache &m_cache;
-    std::string m_toolchain; ///< digest of the compiler's identity
+    std::string m_toolchain;                       ///< digest of the compiler's identity
+    std::map<std::string, BuildFailure> m_stopped; ///< what ran into a limit, by key
+    std::mutex m_mutex;                            ///< of m_stopped
     std::atomic<double> m_compileSeconds{0};
     std::atomic<double> m_linkSeconds{0};
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 namespace grader {
@@ -49,6 +50,25 @@ TEST_F(VariantBuilderTest, BuildsOurOwnUpstreamOverTheStarterInBothConventions) 
         for (const BuildFailure &failure : variant.failures)
             ADD_FAILURE() << failure.describe();
     }
+}
+
+TEST_F(VariantBuilderTest, TriesOnceWhatRunsIntoALimit) {
+    const Sandbox sandbox;
+    if (sandbox.level() < SandboxLevel::S3 && std::getenv("CI") == nullptr)
+        GTEST_SKIP() << "at S2 the assembler ends by itself when its memory is used up";
+    Compiler compiler(sandbox, s_cache);
+    const Submission bomb = handIn(
+        {source("warp.cpp", "__asm__(\".rept 100000000\\n .quad 1,2,3,4,5,6,7,8\\n .endr\");\n")});
+    VariantBuilder builder(compiler, bomb, 1);
+    const auto first = builder.failureOf("warp.cpp");
+    ASSERT_TRUE(first.has_value());
+    EXPECT_NE(first->describe().find("the compiler was stopped"), std::string::npos);
+    const double seconds = compiler.compileSeconds();
+    EXPECT_GT(seconds, 0);
+    const auto second = builder.failureOf("warp.cpp");
+    ASSERT_TRUE(second.has_value());
+    EXPECT_EQ(second->describe(), first->describe());
+    EXPECT_EQ(compiler.compileSeconds(), seconds);
 }
 
 TEST_F(VariantBuilderTest, SurvivesAddedPureVirtualsInTheEmitter) {
