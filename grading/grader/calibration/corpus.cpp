@@ -4,6 +4,7 @@
 #include <grader/build/starter.h>
 #include <grader/error.h>
 #include <grader/text_file.h>
+#include <grader/toml_text.h>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -19,8 +20,11 @@ namespace fs = std::filesystem;
 constexpr const char *kExpectation = "expected.toml";
 
 toml::table parse(const fs::path &file) {
+    const std::string text = readTextFile(file);
+    if (const std::string fault = tomlFault(text); !fault.empty())
+        throw GraderError(fmt::format("{}:{}", file.string(), fault));
     try {
-        return toml::parse(readTextFile(file), file.string());
+        return toml::parse(text, file.string());
     } catch (const toml::parse_error &error) {
         throw GraderError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
                                       error.description()));

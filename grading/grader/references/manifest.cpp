@@ -4,6 +4,7 @@
 #include <grader/digest.h>
 #include <grader/error.h>
 #include <grader/text_file.h>
+#include <grader/toml_text.h>
 
 #include <fmt/core.h>
 #include <toml++/toml.h>
@@ -45,8 +46,11 @@ std::vector<ReferenceImage> readManifest(const fs::path &folder) {
     std::vector<ReferenceImage> images;
     if (!fs::exists(file))
         return images;
+    const std::string text = readTextFile(file);
+    if (const std::string fault = tomlFault(text); !fault.empty())
+        throw GraderError(fmt::format("{}:{}", file.string(), fault));
     try {
-        const toml::table document = toml::parse(readTextFile(file));
+        const toml::table document = toml::parse(text);
         const toml::array *entries = document["image"].as_array();
         if (entries == nullptr)
             fail(file, document.source(), "lists no [[image]]");

@@ -3,6 +3,7 @@
 
 #include <grader/digest.h>
 #include <grader/error.h>
+#include <grader/toml_text.h>
 
 #include <fmt/format.h>
 
@@ -95,6 +96,8 @@ double readAssignment(TomlTable table, Rubric &rubric) {
 }
 
 toml::table parse(const std::string &text, const std::string &name) {
+    if (const std::string fault = tomlFault(text); !fault.empty())
+        throw GraderError(fmt::format("{}:{}", name, fault));
     try {
         return toml::parse(text, name);
     } catch (const toml::parse_error &error) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <grader/toml_text.h>
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+TEST(TomlText, MayHoldEveryLetterInTextsAndComments) {
+    for (const char *text :
+         {"", "a = 1", "\xef\xbb\xbf# \u00e1\na = '\u00e1'", "# \u00e1 ' \" \u00e1",
+          "a = \"\u00e1 # \u00e1\" # \u00e1", "a = '\u00e1 \" \\' # '\u00e1", "a = \"\\\" \u00e1\"",
+          "a = \"\"\"\n\u00e1 \"\" \u00e1\n\"\"\"", "a = '''\u00e1\n'' \u00e1'''\nb = '\u3042'",
+          "a = \"\"\"\u00e1\\\"\"\"\u00e1\"\"\"\"\"\nb = '''\u00e1'''''"})
+        EXPECT_EQ(tomlFault(text), "") << text;
+}
+
+TEST(TomlText, MayNotHoldThemElsewhere) {
+    const auto isFault = [](std::string_view text, std::string_view where) {
+        return tomlFault(text).rfind(where, 0) == 0;
+    };
+    EXPECT_TRUE(isFault("latent_fracci\u00f3n = 1", "1:14: a letter"));
+    EXPECT_TRUE(isFault("a = 1\n\u00e1 = 2", "2:1:"));
+    EXPECT_TRUE(isFault("a = '\u00e1' \u00e1", "1:10:"));
+    EXPECT_TRUE(isFault("a = \"\"\u00e1", "1:7:"));
+    EXPECT_TRUE(isFault("a = '''\n''' \u3042", "2:5:"));
+    EXPECT_TRUE(isFault("a = 1 \xff", "1:7:"));
+    EXPECT_TRUE(isFault("\xef\xbb\xbf\xef\xbb\xbf", "1:4:"));
+}
+
+TEST(TomlText, EndsWhatHasNoEndWithItsLine) {
+    EXPECT_NE(tomlFault("a = \"\n\u00e1"), "");
+    EXPECT_NE(tomlFault("a = '\r\u00e1"), "");
+    EXPECT_NE(tomlFault("# \xe2\x80\xa8\u00e1"), "");
+    EXPECT_EQ(tomlFault("a = \"\u00e1\\"), "");
+}
+
+} // namespace
+} // namespace grader
