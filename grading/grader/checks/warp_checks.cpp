@@ -4,6 +4,7 @@
 #include <battery/inputs.h>
 #include <battery/maps.h>
 #include <battery/range.h>
+#include <battery/scatter.h>
 #include <battery/steps.h>
 #include <battery/stratified.h>
 #include <grader/checks/answer.h>
@@ -127,6 +128,7 @@ CheckResult judgeEdgesAt(CheckContext &context, const WarpEntry &warp, double pa
 /// Stratified inputs: far sharper than independent ones, against a fixed bound.
 CheckResult judgeStratified(CheckContext &context, const WarpEntry &warp, double parameter) {
     battery::StratifiedResult last;
+    double scatter = 0;
     for (int stage = 0; stage < kStratifiedStages; ++stage) {
         const WarpAnswer answer =
             askWarp(context, warp, parameter,
@@ -137,6 +139,16 @@ CheckResult judgeStratified(CheckContext &context, const WarpEntry &warp, double
         last = battery::judgeStratified(warp, parameter, answer.outputs[0]);
         if (!last.exceeds())
             break;
+        scatter = battery::neighbourDistance(answer.outputs[0], battery::kStratifiedSide);
+    }
+    if (last.exceeds() && scatter > battery::kScattered) { // however well they are distributed
+        CheckResult result = makeResult(
+            Verdict::Fail,
+            fmt::format("Samples next to each other give points as far apart as any two{}: the "
+                        "sample is not warped.",
+                        atParameter(warp, parameter)));
+        result.effect = 1;
+        return result;
     }
     CheckResult result = makeResult(
         last.exceeds() ? Verdict::Fail : Verdict::Pass,
