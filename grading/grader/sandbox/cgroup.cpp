@@ -26,7 +26,7 @@ namespace {
 
 using std::filesystem::path;
 
-const path kRoot = "/sys/fs/cgroup";
+constexpr char kRoot[] = "/sys/fs/cgroup"; // a Sandbox may be made before main()
 constexpr char kPrefix[] = "norigrade-";
 
 bool writeFile(const path &file, const std::string &text) {
@@ -116,12 +116,12 @@ CgroupPlaces findCgroupPlaces() {
         const std::string controllers = line.substr(first + 1, second - first - 1);
         const path below = line.substr(second + 2);
         if (controllers.empty()) {
-            const path folder = placeOfVersion2(below.empty() ? kRoot : kRoot / below);
+            const path folder = placeOfVersion2(below.empty() ? path(kRoot) : path(kRoot) / below);
             if (!folder.empty())
                 return {folder, folder, true};
             continue;
         }
-        const path folder = kRoot / controllers / below;
+        const path folder = path(kRoot) / controllers / below;
         std::istringstream names(controllers);
         for (std::string name; std::getline(names, name, ',');) {
             if (name == "memory" && canMakeGroups(folder, "memory.limit_in_bytes"))
