@@ -158,7 +158,7 @@ bool Judge::endsAs(End wanted, const BoxEnd &end) const {
     case End::Cpu:
         return timedOut != nullptr && timedOut->cpu;
     case End::Wall:
-        return timedOut != nullptr && !timedOut->cpu;
+        return (timedOut != nullptr && !timedOut->cpu) || std::holds_alternative<BoxStarved>(end);
     case End::Memory:
         return level() == SandboxLevel::S3 ? std::holds_alternative<BoxOutOfMemory>(end)
                                            : std::holds_alternative<BoxExited>(end);

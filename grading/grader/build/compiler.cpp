@@ -143,10 +143,9 @@ Built Compiler::produce(const std::string &kind, const std::string &key, const s
     const bool made =
         exited != nullptr && exited->code == 0 &&
         std::filesystem::is_regular_file(std::filesystem::symlink_status(output, error));
-    if (const auto *notStarted = std::get_if<BoxNotStarted>(&outcome.end)) {
+    if (const std::string reason = ownFailure(outcome.end); !reason.empty()) {
         std::filesystem::remove_all(scratch, error);
-        throw GraderError("the compiler could not be started in the sandbox: " +
-                          notStarted->reason);
+        throw GraderError("the compiler was not run to its end in the sandbox: " + reason);
     }
     if (made)
         writeTextFile(result, readTextFile(output));

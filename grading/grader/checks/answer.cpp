@@ -22,7 +22,7 @@ bool saysUnimplemented(std::string message) {
 }
 
 Verdict verdictOf(const BoxEnd &end) {
-    if (std::holds_alternative<BoxNotStarted>(end))
+    if (!ownFailure(end).empty())
         return Verdict::Infra;
     return std::holds_alternative<BoxTimedOut>(end) ? Verdict::Timeout : Verdict::Crash;
 }

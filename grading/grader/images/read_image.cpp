@@ -50,8 +50,8 @@ std::string runBoxed(const Sandbox &sandbox, const Descriptor &in, const Descrip
     spec.limits.fileBytes = kAnswerBytes;
     spec.descriptors = {in.get(), out.get()};
     const BoxOutcome outcome = sandbox.run(spec);
-    if (const auto *failure = std::get_if<BoxNotStarted>(&outcome.end))
-        throw GraderError("the decoder could not be started: " + failure->reason);
+    if (const std::string reason = ownFailure(outcome.end); !reason.empty())
+        throw GraderError("the decoder was not run to its end: " + reason);
     return describe(outcome.end);
 }
 

@@ -34,6 +34,12 @@ std::string describe(const BoxEnd &end) {
             return timedOut.cpu ? "it used up its CPU time" : "it used up its time";
         }
 
+        std::string operator()(const BoxStarved &starved) const {
+            return fmt::format("the machine was too busy: it waited {:.0f} s for a processor; run "
+                               "it again with fewer jobs, or less beside it",
+                               starved.waited);
+        }
+
         std::string operator()(const BoxOutOfMemory &) const { return "it used up its memory"; }
 
         std::string operator()(const BoxLogTooLarge &) const { return "it printed too much"; }
@@ -44,6 +50,12 @@ std::string describe(const BoxEnd &end) {
     };
 
     return std::visit(Describe(), end);
+}
+
+std::string ownFailure(const BoxEnd &end) {
+    const bool isOurs =
+        std::holds_alternative<BoxNotStarted>(end) || std::holds_alternative<BoxStarved>(end);
+    return isOurs ? describe(end) : "";
 }
 
 BoxOutcome Sandbox::run(const BoxSpec &spec) const {

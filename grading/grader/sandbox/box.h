@@ -66,6 +66,12 @@ struct BoxTimedOut {
     bool cpu = false; ///< CPU limit; else wall clock
 };
 
+/// The wall clock ran out on a process that had waited for a processor for most of the time: the
+/// machine's fault (Infra), never the submission's.
+struct BoxStarved {
+    double waited = 0; ///< seconds
+};
+
 struct BoxOutOfMemory {};
 
 struct BoxLogTooLarge {};
@@ -74,8 +80,8 @@ struct BoxNotStarted {
     std::string reason; ///< our own failure (Infra), never the submission's
 };
 
-using BoxEnd = std::variant<BoxExited, BoxSignalled, BoxTimedOut, BoxOutOfMemory, BoxLogTooLarge,
-                            BoxNotStarted>;
+using BoxEnd = std::variant<BoxExited, BoxSignalled, BoxTimedOut, BoxStarved, BoxOutOfMemory,
+                            BoxLogTooLarge, BoxNotStarted>;
 
 struct BoxOutcome {
     BoxEnd end;
@@ -83,6 +89,9 @@ struct BoxOutcome {
     double cpuSeconds = 0; ///< user + system
     double wallSeconds = 0;
 };
+
+/// Why it is our own failure, if it is: then nothing can be said of the submission. Else empty.
+std::string ownFailure(const BoxEnd &end);
 
 /// One sentence on how a process ended, for reports.
 std::string describe(const BoxEnd &end);

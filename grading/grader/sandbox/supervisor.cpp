@@ -15,7 +15,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace grader {
 
@@ -47,19 +49,46 @@ double seconds(const rusage &usage) {
     return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
-/// CPU time of all that descends from a process, as it runs.
-double descendantsSeconds(pid_t process) {
+/// All that descends from a process, as it runs.
+std::vector<pid_t> descendantsOf(pid_t process) {
     const std::string name = std::to_string(process);
     std::ifstream children("/proc/" + name + "/task/" + name + "/children");
-    double sum = 0;
+    std::vector<pid_t> all;
     for (pid_t child = 0; children >> child;) {
+        all.push_back(child);
+        const std::vector<pid_t> below = descendantsOf(child);
+        all.insert(all.end(), below.begin(), below.end());
+    }
+    return all;
+}
+
+double cpuSeconds(const std::vector<pid_t> &processes) {
+    double sum = 0;
+    for (const pid_t process : processes) {
         clockid_t clock{};
         timespec time{};
-        if (::clock_getcpuclockid(child, &clock) == 0 && ::clock_gettime(clock, &time) == 0)
+        if (::clock_getcpuclockid(process, &clock) == 0 && ::clock_gettime(clock, &time) == 0)
             sum += static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-        sum += descendantsSeconds(child);
     }
     return sum;
+}
+
+/// Seconds that the thread which waited most could have run and had no processor; 0 where the
+/// kernel does not count them (proc(5), schedstat).
+double longestWait(const std::vector<pid_t> &processes) {
+    double longest = 0;
+    for (const pid_t process : processes) {
+        std::error_code error;
+        const std::string tasks = "/proc/" + std::to_string(process) + "/task";
+        for (const auto &task : std::filesystem::directory_iterator(tasks, error)) {
+            std::ifstream file(task.path() / "schedstat");
+            double running = 0;
+            double waiting = 0;
+            if (file >> running >> waiting)
+                longest = std::max(longest, 1e-9 * waiting);
+        }
+    }
+    return longest;
 }
 
 std::string startError(std::string log) {
@@ -74,6 +103,12 @@ std::string startError(std::string log) {
 }
 
 } // namespace
+
+BoxEnd endOfTime(double wall, double cpu, double waited) {
+    if (waited > 0.5 * wall && cpu < 0.5 * wall)
+        return BoxStarved{waited};
+    return BoxTimedOut{false};
+}
 
 void adoptOrphans() {
     ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
@@ -140,9 +175,11 @@ void Supervisor::endAll() {
     while (!m_named && !m_statusEnd && Clock::now() < patience)
         readSome(patience - Clock::now());
     // Nobody is told the CPU time of what dies with its namespace: it is read before.
-    const double running = m_first && exitCode() == kUnknown
-                               ? descendantsSeconds(numberAfter(kFirstProcess, m_status))
-                               : 0;
+    std::vector<pid_t> processes;
+    if (m_first && exitCode() == kUnknown)
+        processes = descendantsOf(numberAfter(kFirstProcess, m_status));
+    const double running = cpuSeconds(processes);
+    m_waited = longestWait(processes);
     if (m_first)
         ::syscall(SYS_pidfd_send_signal, m_first.get(), SIGKILL, nullptr, 0);
     else if (!m_named)
@@ -174,8 +211,12 @@ int Supervisor::exitCode() const {
 
 BoxEnd Supervisor::end(bool outOfMemory) const {
     constexpr int kSignalOffset = 128; // bubblewrap, like shells, adds it to a signal's number
-    if (m_early && m_named)
+    if (m_early && m_named) {
+        if (std::holds_alternative<BoxTimedOut>(*m_early))
+            return endOfTime(std::chrono::duration<double>(m_spec.limits.wall).count(),
+                             m_cpuSeconds, m_waited);
         return *m_early;
+    }
     if (outOfMemory)
         return BoxOutOfMemory{};
     // bubblewrap tells an exit code only if it got as far as starting the program.

@@ -17,6 +17,11 @@ class Cgroup;
 /// for when bubblewrap has ended before it. Once per process.
 void adoptOrphans();
 
+/// What it means that the wall clock ran out on a box, all in seconds: starved, if it computed
+/// little, and a thread of it could have run and had no processor for most of the time. One that
+/// keeps itself waiting, with many processes, has computed much.
+BoxEnd endOfTime(double wall, double cpu, double waited);
+
 /// Follows one box to its end, and sees to it that nothing of it is left.
 class Supervisor {
 public:
@@ -53,6 +58,7 @@ private:
     bool m_statusEnd = false;
     std::optional<BoxEnd> m_early; ///< what we have ended it for
     double m_cpuSeconds = 0;
+    double m_waited = 0; ///< seconds that the thread of the box which waited most had no processor
 };
 
 } // namespace grader

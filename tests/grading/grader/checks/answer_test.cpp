@@ -24,6 +24,7 @@ TEST(Unanswered, NamesWhoseFaultItIs) {
     using protocol::State;
     const std::pair<ProbeAnswer, Verdict> cases[] = {
         {ended(BoxNotStarted{"no"}), Verdict::Infra},
+        {ended(BoxStarved{70}), Verdict::Infra},
         {ended(BoxTimedOut{true}), Verdict::Timeout},
         {ended(BoxSignalled{11}), Verdict::Crash},
         {ended(BoxOutOfMemory{}), Verdict::Crash},
