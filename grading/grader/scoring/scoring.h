@@ -14,9 +14,8 @@ namespace grader {
 /// cost. Fail costs by effect: nothing up to the tolerance, all from `gross` on, log-linear in
 /// between, all where the effect is unknown. Missing, BuildError, Crash and Timeout cost all.
 ///
-/// \param floor  effect that every seed finds, NaN if there is no noise: takes the tolerance's
-/// place
-///               where it is larger, so that points do not hang on the seed
+/// \param floor  effect that every seed finds, NaN if there is no noise: takes the place of a
+///               smaller tolerance, so that points do not hang on the seed
 double checkScore(const RubricCheck &rule, Verdict verdict, double effect,
                   double floor = kNoNumber);
 
