@@ -4,32 +4,54 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 namespace grader {
 
 namespace {
+
+struct TomlFault {
+    std::size_t at;
+    const char *what;
+};
+
+constexpr const char *kStrayLetter = "a letter beyond ASCII outside of quotation marks; keys are "
+                                     "written in ASCII, texts in quotation marks";
+constexpr const char *kMarkInNumber =
+    "a quotation mark in what begins like a number; put a space before it, or the whole in marks";
+
+bool isBeyondAscii(char c) {
+    return static_cast<unsigned char>(c) >= 0x80;
+}
 
 /// Where one is in a TOML file, as far as characters beyond ASCII go.
 class TomlScanner {
 public:
     explicit TomlScanner(std::string_view text) : m_text(text) {}
 
-    /// \return  offset of the first character that stands in no text and no comment; npos if none
-    std::size_t findStray() {
+    std::optional<TomlFault> findFault() {
         if (startsWith("\xef\xbb\xbf")) // a byte order mark
             m_at += 3;
+        bool inWord = false;
         while (m_at < m_text.size()) {
             const char c = m_text[m_at];
-            if (static_cast<unsigned char>(c) >= 0x80)
-                return m_at;
-            if (c == '#')
+            if (isBeyondAscii(c))
+                return TomlFault{m_at, kStrayLetter};
+            if (c == '#') {
                 skipLine();
-            else if (c == '"' || c == '\'')
+                inWord = false;
+            } else if (c == '"' || c == '\'') {
                 skipText(c);
-            else
+            } else if (!inWord && beginsNumber(c)) {
+                if (const auto fault = skipNumber())
+                    return fault;
+            } else {
+                inWord = std::string_view(" \t\v\f\r\n=,[]{}").find(c) == std::string_view::npos;
                 ++m_at;
+            }
         }
-        return std::string_view::npos;
+        return std::nullopt;
     }
 
 private:
@@ -47,6 +69,29 @@ private:
             }
         }
         return false;
+    }
+
+    static bool beginsNumber(char c) { return (c >= '0' && c <= '9') || c == '+' || c == '-'; }
+
+    /// toml++ looks ahead to the end of what begins like a number, and past one space, as a time
+    /// may follow a date: a quotation mark on its way opens no text for it.
+    std::optional<TomlFault> skipNumber() {
+        for (bool spaceSeen = false; m_at < m_text.size(); ++m_at) {
+            const char c = m_text[m_at];
+            if (c == ' ' && !spaceSeen)
+                spaceSeen = true;
+            else if (isBeyondAscii(c) ||
+                     std::string_view(" \t\v\f\r\n],}#").find(c) != std::string_view::npos)
+                break;
+            else if ((c == '"' || c == '\'') && hasBeyondAscii(m_at))
+                return TomlFault{m_at, kMarkInNumber};
+        }
+        return std::nullopt;
+    }
+
+    bool hasBeyondAscii(std::size_t from) const {
+        return std::any_of(m_text.begin() + static_cast<std::ptrdiff_t>(from), m_text.end(),
+                           isBeyondAscii);
     }
 
     void skipLine() {
@@ -85,16 +130,14 @@ private:
 } // namespace
 
 std::string tomlFault(std::string_view text) {
-    const std::size_t at = TomlScanner(text).findStray();
-    if (at == std::string_view::npos)
+    const std::optional<TomlFault> fault = TomlScanner(text).findFault();
+    if (!fault)
         return {};
-    const std::string_view before = text.substr(0, at);
+    const std::string_view before = text.substr(0, fault->at);
     const std::size_t line = before.rfind('\n');
-    return fmt::format(
-        "{}:{}: a letter beyond ASCII outside of quotation marks; keys are written in "
-        "ASCII, texts in quotation marks",
-        std::count(before.begin(), before.end(), '\n') + 1,
-        line == std::string_view::npos ? at + 1 : at - line);
+    return fmt::format("{}:{}: {}", std::count(before.begin(), before.end(), '\n') + 1,
+                       line == std::string_view::npos ? fault->at + 1 : fault->at - line,
+                       fault->what);
 }
 
 } // namespace grader

@@ -117,7 +117,7 @@ RawFiles Reading::run() {
         m_budget.countEntry();
         readEntry(entry);
     }
-    finishFiles(m_result);
+    finishFiles(m_result, m_leftOut);
     throwIfNothingWasRead();
     if (!m_damage.empty()) {
         m_result.notes.push_back({Note::Level::Human, m_label,
@@ -125,7 +125,6 @@ RawFiles Reading::run() {
                                               "after the ones listed may be missing.",
                                               m_damage)});
     }
-    m_leftOut.appendTo(m_result.files);
     return std::move(m_result);
 }
 

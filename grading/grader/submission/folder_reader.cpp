@@ -144,8 +144,7 @@ RawFiles readFolder(const fs::path &root, ReadBudget &budget) {
     for (const std::string &path : listing.links) {
         result.files.push_back({path, "", "is a link"});
     }
-    finishFiles(result);
-    leftOut.appendTo(result.files);
+    finishFiles(result, leftOut);
     return result;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <grader/submission/clutter.h>
 #include <grader/submission/names.h>
 #include <grader/submission/raw_files.h>
 
@@ -58,7 +59,9 @@ void ReadBudget::refuse(const std::string &what) const {
                                  m_subject, what));
 }
 
-void finishFiles(RawFiles &read) {
+void finishFiles(RawFiles &read, const LeftOutFolders &leftOut) {
+    const std::size_t refusable = read.files.size();
+    leftOut.appendTo(read.files);
     std::vector<std::string> names;
     for (const RawFile &file : read.files) {
         names.push_back(file.path);
@@ -67,7 +70,7 @@ void finishFiles(RawFiles &read) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         RawFile &file = read.files[i];
         file.path = names[i].empty() ? "(no name)" : shortened(names[i], 1024);
-        if (!file.refused.empty()) {
+        if (i < refusable && !file.refused.empty()) {
             file.bytes.clear();
             read.notes.push_back(
                 {Note::Level::Human, file.path,

@@ -68,7 +68,10 @@ struct RawFiles {
     std::vector<Note> notes;
 };
 
-/// Last step of reading: decodes the names, and makes a note of each file that was refused.
-void finishFiles(RawFiles &read);
+class LeftOutFolders;
+
+/// Last step of reading: makes a note of each file that was refused, lists the folders that were
+/// left out, and decodes the names of all.
+void finishFiles(RawFiles &read, const LeftOutFolders &leftOut);
 
 } // namespace grader

@@ -5,6 +5,7 @@
 #include <grader/build/header_set.h>
 #include <grader/build/starter.h>
 #include <grader/error.h>
+#include <grader/submission/clutter.h>
 #include <grader/submission/layout.h>
 #include <grader/submission/papers.h>
 #include <grader/submission/source_scan.h>
@@ -33,7 +34,7 @@ grader::RawFiles filesOf(std::string_view bytes) {
 void fuzz::run(std::string_view bytes) {
     using namespace grader;
     RawFiles raw = filesOf(bytes);
-    finishFiles(raw);
+    finishFiles(raw, LeftOutFolders());
     Submission submission;
     sortFiles(raw.files, submission);
     checkPapers(submission);

@@ -35,5 +35,17 @@ TEST(TomlText, EndsWhatHasNoEndWithItsLine) {
     EXPECT_EQ(tomlFault("a = \"\u00e1\\"), "");
 }
 
+TEST(TomlText, MayNotFollowAMarkWithinANumber) {
+    // toml++ looks ahead to the end of a number: no text opens there for it.
+    for (const char *text :
+         {"a = 91[-\"\u00e1_\"", "a =1\"\"\"sss\u00e1\"\"\"", "a = [+1='\u00e1']",
+          "a = 1979-05-27 \"\u00e1\"", "a = 1979-05-27 07\"\u00e1\""})
+        EXPECT_NE(tomlFault(text).find("in what begins like a number"), std::string::npos) << text;
+    for (const char *text :
+         {"1 = \"\u00e1\"", "a = 1 # \"\u00e1", "a = [1, '\u00e1']\nb = -2\nc = '\u00e1'",
+          "a1 = \"\u00e1\"", "a = 1\"\"\"s\"\"\""})
+        EXPECT_EQ(tomlFault(text), "") << text;
+}
+
 } // namespace
 } // namespace grader

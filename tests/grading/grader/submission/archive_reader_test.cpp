@@ -94,6 +94,11 @@ TEST(HostileArchives, ThatAreBombsAreRefused) {
               std::string::npos);
 }
 
+TEST(Archives, DecodeTheNamesOfFoldersThatAreLeftOut) {
+    const Submission submission = readZip({{"src/warp.cpp", kWarp}, {"build_\xA4/a.o", "x"}});
+    EXPECT_EQ(roleOf(submission, "build_\u00f1/"), FileRole::Ignored); // CP850
+}
+
 TEST(HostileArchives, WithMoreFilesThanAllowedAreRefusedAtOnce) {
     Files files;
     for (int i = 0; i < 50'000; ++i) {
