@@ -17,6 +17,13 @@ constexpr double kRounding = 1e-9; ///< points are sums of fractions
 constexpr int kDone = 0;           ///< exit codes of `norigrade grade` that are no failure
 constexpr int kNeedsHuman = 3;
 
+std::vector<std::string> parseGuesses(const nlohmann::json &json) {
+    std::vector<std::string> ids;
+    for (const nlohmann::json &guess : json)
+        ids.push_back(guess.at("id").get<std::string>());
+    return ids;
+}
+
 GradedItem parseItem(const nlohmann::json &json) {
     GradedItem item;
     json.at("id").get_to(item.id);
@@ -24,8 +31,7 @@ GradedItem parseItem(const nlohmann::json &json) {
     json.at("max").get_to(item.max);
     json.at("verdict").get_to(item.verdict);
     json.at("reason").get_to(item.reason);
-    for (const nlohmann::json &guess : json.at("diagnoses"))
-        item.diagnoses.push_back(guess.at("id").get<std::string>());
+    item.diagnoses = parseGuesses(json.at("diagnoses"));
     for (const nlohmann::json &row : json.at("checks")) {
         GradedCheck check;
         row.at("id").get_to(check.id);
@@ -33,7 +39,7 @@ GradedItem parseItem(const nlohmann::json &json) {
         row.at("severity").get_to(check.severity);
         row.at("score").get_to(check.score);
         row.at("message").get_to(check.message);
-        row.at("diagnosis").get_to(check.diagnosis);
+        check.diagnoses = parseGuesses(row.at("diagnoses"));
         item.checks.push_back(std::move(check));
     }
     return item;

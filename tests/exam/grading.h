@@ -12,7 +12,7 @@ struct GradedCheck {
     std::string severity;
     double score = 1;
     std::string message;
-    std::string diagnosis;
+    std::vector<std::string> diagnoses; ///< ids, the likeliest first
 
     bool found() const; ///< whether it says that something is wrong
 };

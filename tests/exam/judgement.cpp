@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <tuple>
 
 namespace exam {
 
 namespace {
 
-bool contains(const std::string &text, const std::string &phrase) {
-    const auto same = [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    };
-    return std::search(text.begin(), text.end(), phrase.begin(), phrase.end(), same) != text.end();
+bool contains(const std::vector<std::string> &ids, const std::string &id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 bool costs(const GradedCheck &check) {
@@ -47,8 +44,7 @@ void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement)
     judgement.lost = patch.cost == Patch::Cost::Blemish ? judgement.asExpected : !item.isFull();
     const std::vector<std::string> told = diagnosesOf(item);
     for (std::size_t i = 0; i < told.size() && judgement.diagnosisRank == 0; ++i) {
-        if (std::any_of(patch.diagnoses.begin(), patch.diagnoses.end(),
-                        [&](const std::string &wanted) { return contains(told[i], wanted); }))
+        if (contains(patch.diagnoses, told[i]))
             judgement.diagnosisRank = i + 1;
     }
     judgement.got += fmt::format("{} {:.4g}/{:g}", item.id, item.points, item.max);
@@ -57,8 +53,7 @@ void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement)
 }
 
 bool isExcused(const Patch &patch, const GradedItem &item) {
-    return std::find(patch.missing.begin(), patch.missing.end(), item.id) != patch.missing.end() &&
-           item.verdict == "missing";
+    return contains(patch.missing, item.id) && item.verdict == "missing";
 }
 
 } // namespace
@@ -79,9 +74,8 @@ std::vector<std::string> diagnosesOf(const GradedItem &item) {
                      [&](const GradedCheck &a, const GradedCheck &b) { return rank(a) < rank(b); });
     std::vector<std::string> told;
     for (const GradedCheck &check : found) {
-        if (!check.diagnosis.empty() &&
-            std::find(told.begin(), told.end(), check.diagnosis) == told.end())
-            told.push_back(check.diagnosis);
+        std::copy_if(check.diagnoses.begin(), check.diagnoses.end(), std::back_inserter(told),
+                     [&](const std::string &id) { return !contains(told, id); });
     }
     return told;
 }
@@ -96,9 +90,10 @@ Judgement judge(const Patch &patch, const Graded &graded) {
         }
         const bool remarked =
             patch.item.empty() &&
-            std::any_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
-                return check.found() && check.severity != "blemish";
-            });
+            (!diagnosesOf(item).empty() ||
+             std::any_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
+                 return check.found() && check.severity != "blemish";
+             }));
         if ((item.isFull() && !remarked) || isExcused(patch, item))
             continue;
         judgement.othersFull = false;

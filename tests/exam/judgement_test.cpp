@@ -12,8 +12,9 @@ GradedCheck check(const char *verdict, const char *severity, double score, const
     result.verdict = verdict;
     result.severity = severity;
     result.score = score;
-    result.message = std::string(diagnosis) + " measured.";
-    result.diagnosis = diagnosis;
+    result.message = std::string(severity) + " measured.";
+    if (*diagnosis != '\0')
+        result.diagnoses = {diagnosis};
     return result;
 }
 
@@ -31,12 +32,12 @@ Patch patch(Patch::Cost cost) {
     Patch result;
     result.cost = cost;
     result.item = cost == Patch::Cost::Nothing ? "" : "warp.disk";
-    result.diagnoses = {"no ROOT"};
+    result.diagnoses = {"disk.no_root"};
     return result;
 }
 
-const GradedCheck kVisible = check("fail", "visible", 0, "There is no root.");
-const GradedCheck kLatent = check("fail", "latent", 0.5, "The rim is wide.");
+const GradedCheck kVisible = check("fail", "visible", 0, "disk.no_root");
+const GradedCheck kLatent = check("fail", "latent", 0.5, "disk.wide_rim");
 const GradedCheck kRight = check("pass", "visible", 1, "");
 
 } // namespace
@@ -58,7 +59,7 @@ TEST(Judge, wants_what_is_latent_to_cost_by_latent_checks_alone) {
 
 TEST(Judge, wants_a_blemish_to_be_remarked_on_and_cost_nothing) {
     const Patch mutant = patch(Patch::Cost::Blemish);
-    const GradedCheck remark = check("fail", "blemish", 0, "Slow.");
+    const GradedCheck remark = check("fail", "blemish", 0, "disk.slow");
     EXPECT_TRUE(judge(mutant, graded(10, {remark})).asExpected);
     EXPECT_FALSE(judge(mutant, graded(10, {kRight})).asExpected);
     EXPECT_FALSE(judge(mutant, graded(9, {remark})).asExpected);
