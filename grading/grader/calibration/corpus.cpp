@@ -7,7 +7,6 @@
 #include <grader/toml_text.h>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -20,15 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char *kExpectation = "expected.toml";
 
 toml::table parse(const fs::path &file) {
-    const std::string text = readTextFile(file);
-    if (const std::string fault = tomlFault(text); !fault.empty())
-        throw GraderError(fmt::format("{}:{}", file.string(), fault));
-    try {
-        return toml::parse(text, file.string());
-    } catch (const toml::parse_error &error) {
-        throw GraderError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
-                                      error.description()));
-    }
+    return parseToml(readTextFile(file), file.string());
 }
 
 std::string textOf(const toml::table &table, const char *key) {

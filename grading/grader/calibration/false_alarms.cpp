@@ -72,13 +72,7 @@ double StageLevel::bound() const {
 }
 
 std::vector<StageLevel> readStageLevels(const std::filesystem::path &file) {
-    toml::table table;
-    try {
-        table = toml::parse(readTextFile(file), file.string());
-    } catch (const toml::parse_error &error) {
-        throw GraderError(fmt::format("{}:{}:{}: {}", file.string(), error.source().begin.line,
-                                      error.source().begin.column, error.description()));
-    }
+    const toml::table table = parseToml(readTextFile(file), file.string());
     TomlTable document(table, file.string());
     std::vector<StageLevel> levels;
     for (TomlTable &row : document.tables("level"))

@@ -3,9 +3,9 @@
 
 #include <grader/diagnosis/catalogue_text.h>
 #include <grader/error.h>
+#include <grader/toml_text.h>
 
 #include <fmt/core.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ std::vector<Diagnosis> readCatalogue() {
     // A TOML table sorts its keys; the files' own order is that of the lines.
     std::vector<Diagnosis> all;
     for (const char *text : kCatalogueTexts) {
-        const toml::table document = toml::parse(text);
+        const toml::table document = parseToml(text, "the catalogue of diagnoses");
         std::vector<std::pair<toml::source_index, Diagnosis>> entries;
         for (const auto &[key, node] : document) {
             const std::string id(key.str());

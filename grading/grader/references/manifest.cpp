@@ -7,7 +7,6 @@
 #include <grader/toml_text.h>
 
 #include <fmt/core.h>
-#include <toml++/toml.h>
 
 #include <limits>
 
@@ -46,27 +45,19 @@ std::vector<ReferenceImage> readManifest(const fs::path &folder) {
     std::vector<ReferenceImage> images;
     if (!fs::exists(file))
         return images;
-    const std::string text = readTextFile(file);
-    if (const std::string fault = tomlFault(text); !fault.empty())
-        throw GraderError(fmt::format("{}:{}", file.string(), fault));
-    try {
-        const toml::table document = toml::parse(text);
-        const toml::array *entries = document["image"].as_array();
-        if (entries == nullptr)
-            fail(file, document.source(), "lists no [[image]]");
-        for (const toml::node &entry : *entries) {
-            if (!entry.is_table())
-                fail(file, entry.source(), "[[image]] is no table");
-            const toml::table &table = *entry.as_table();
-            images.push_back({textIn(file, table, "file"), textIn(file, table, "scene"),
-                              textIn(file, table, "scene_digest"),
-                              textIn(file, table, "integrator"), integerIn(file, table, "spp"),
-                              integerIn(file, table, "seed"), integerIn(file, table, "width"),
-                              integerIn(file, table, "height"), textIn(file, table, "version"),
-                              textIn(file, table, "sha256")});
-        }
-    } catch (const toml::parse_error &error) {
-        fail(file, error.source(), std::string(error.description()));
+    const toml::table document = parseToml(readTextFile(file), file.string());
+    const toml::array *entries = document["image"].as_array();
+    if (entries == nullptr)
+        fail(file, document.source(), "lists no [[image]]");
+    for (const toml::node &entry : *entries) {
+        if (!entry.is_table())
+            fail(file, entry.source(), "[[image]] is no table");
+        const toml::table &table = *entry.as_table();
+        images.push_back({textIn(file, table, "file"), textIn(file, table, "scene"),
+                          textIn(file, table, "scene_digest"), textIn(file, table, "integrator"),
+                          integerIn(file, table, "spp"), integerIn(file, table, "seed"),
+                          integerIn(file, table, "width"), integerIn(file, table, "height"),
+                          textIn(file, table, "version"), textIn(file, table, "sha256")});
     }
     return images;
 }

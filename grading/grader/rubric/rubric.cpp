@@ -3,7 +3,6 @@
 
 #include <grader/digest.h>
 #include <grader/error.h>
-#include <grader/toml_text.h>
 
 #include <fmt/format.h>
 
@@ -95,22 +94,10 @@ double readAssignment(TomlTable table, Rubric &rubric) {
     return fraction;
 }
 
-toml::table parse(const std::string &text, const std::string &name) {
-    if (const std::string fault = tomlFault(text); !fault.empty())
-        throw GraderError(fmt::format("{}:{}", name, fault));
-    try {
-        return toml::parse(text, name);
-    } catch (const toml::parse_error &error) {
-        const toml::source_position position = error.source().begin;
-        throw GraderError(
-            fmt::format("{}:{}:{}: {}", name, position.line, position.column, error.description()));
-    }
-}
-
 } // namespace
 
 Rubric parseRubric(const std::string &text, const std::string &name) {
-    const toml::table document = parse(text, name);
+    const toml::table document = parseToml(text, name);
     TomlTable root(document, name);
     root.number("schema", kSchema, kSchema);
 

@@ -31,7 +31,7 @@ TEST(Manifest, SaysInWhichLineItIsDamaged) {
         {"\n[[image]]\nfile = 3\n", "manifest.toml:2: the text \"file\" is missing"},
         {"[[image]]\nfile = 'a'\nscene = 'a'\nscene_digest = ''\nintegrator = ''\nspp = -1\n",
          "the integer \"spp\" is missing"},
-        {"a = 1\nb = \n", "manifest.toml:2: "},
+        {"a = 1\nb = \n", "manifest.toml:2:5: "},
         {"image = [1]\n", "is no table"}};
     for (const auto &[text, message] : cases) {
         const support::WorkFolder folder;
