@@ -89,6 +89,23 @@ TEST(Compare, tells_of_a_diagnosis_at_an_item_that_must_be_full) {
     EXPECT_EQ(compare(read("full = \"all\"\n"), result).size(), 1U);
 }
 
+TEST(ParseResults, reads_the_diagnoses_of_items_and_of_their_checks) {
+    const Graded result = parseResults(R"({"submissions": [{"total": 95, "times": {"total": 2},
+        "figures": [], "items": [{"id": "warp.disk", "points": 5, "max": 10, "verdict": "fail",
+        "reason": "why", "diagnoses": [{"id": "disk.square", "fit": 0.9}], "checks": [
+        {"id": "warp.disk.samples", "verdict": "fail", "severity": "visible", "score": 0,
+         "message": "off", "diagnoses": [{"id": "disk.square"}, {"id": "disk.squared"}]},
+        {"id": "warp.disk.density", "verdict": "pass", "severity": "visible", "score": 1,
+         "message": "", "diagnoses": []}]}]}]})");
+    ASSERT_EQ(result.items.size(), 1U);
+    EXPECT_EQ(result.items[0].diagnoses, std::vector<std::string>{"disk.square"});
+    ASSERT_EQ(result.items[0].checks.size(), 2U);
+    EXPECT_EQ(result.items[0].checks[0].diagnoses,
+              (std::vector<std::string>{"disk.square", "disk.squared"}));
+    EXPECT_TRUE(result.items[0].checks[1].diagnoses.empty());
+    EXPECT_THROW(parseResults("{}"), ExamError);
+}
+
 TEST(Describe, names_what_is_expected_and_what_was_lost) {
     EXPECT_EQ(describe(read("total = 100\nfull = \"all\"\n")), "100, full all");
     EXPECT_EQ(describe(read("lost = [\"warp.disk\"]\nfull = \"others\"\n")),

@@ -25,7 +25,10 @@ bool lostRightly(const Patch &patch, const GradedItem &item) {
     case Patch::Cost::Nothing:
         return item.isFull();
     case Patch::Cost::Visible:
-        return !item.isFull();
+        return !item.isFull() &&
+               std::any_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
+                   return costs(check) && check.severity == "visible";
+               });
     case Patch::Cost::Latent:
         return !item.isFull() &&
                std::all_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
@@ -44,8 +47,10 @@ void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement)
     judgement.lost = patch.cost == Patch::Cost::Blemish ? judgement.asExpected : !item.isFull();
     const std::vector<std::string> told = diagnosesOf(item);
     for (std::size_t i = 0; i < told.size() && judgement.diagnosisRank == 0; ++i) {
-        if (contains(patch.diagnoses, told[i]))
+        if (contains(patch.diagnoses, told[i])) {
             judgement.diagnosisRank = i + 1;
+            judgement.diagnosis = told[i];
+        }
     }
     judgement.got += fmt::format("{} {:.4g}/{:g}", item.id, item.points, item.max);
     if (judgement.lost)
@@ -57,6 +62,33 @@ bool isExcused(const Patch &patch, const GradedItem &item) {
 }
 
 } // namespace
+
+const std::vector<std::string> &catchAlls() {
+    static const std::vector<std::string> ids = {
+        "warp.density_of_points",
+        "warp.out_of_domain",
+        "warp.pdf_wrong",
+        "mesh.off_surface",
+        "mesh.not_uniform_in_triangle",
+        "mesh.normal_not_interpolated",
+        "mesh.uv_wrong",
+        "mesh.pdf_factor",
+        "area.texture_uv",
+        "area.pdf_factor",
+        "area.value_wrong",
+        "area.wi_wrong",
+        "environment.not_uniform",
+        "environment.value_wrong",
+        "environment.eval_changed",
+        "ems.part_of_image",
+        "importance.not_proportional",
+        "importance.pdf_mismatch",
+        "importance.pdf_emitter",
+        "importance.not_divided",
+        "importance.other_noise",
+    };
+    return ids;
+}
 
 std::vector<std::string> diagnosesOf(const GradedItem &item) {
     if (!item.diagnoses.empty())

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
 #include <exam/summary.h>
 
 namespace exam {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 GradedCheck check(const char *verdict, const char *severity, double score, const char *diagnosis) {
     GradedCheck result;
@@ -36,6 +43,11 @@ Patch patch(Patch::Cost cost) {
     return result;
 }
 
+std::string textOf(const fs::path &file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 const GradedCheck kVisible = check("fail", "visible", 0, "disk.no_root");
 const GradedCheck kLatent = check("fail", "latent", 0.5, "disk.wide_rim");
 const GradedCheck kRight = check("pass", "visible", 1, "");
@@ -57,6 +69,12 @@ TEST(Judge, wants_what_is_latent_to_cost_by_latent_checks_alone) {
     EXPECT_FALSE(judge(patch(Patch::Cost::Latent), graded(5, {kVisible, kLatent})).asExpected);
 }
 
+TEST(Judge, wants_what_is_visible_to_cost_by_a_visible_check) {
+    EXPECT_FALSE(judge(patch(Patch::Cost::Visible), graded(9, {kLatent})).asExpected);
+    EXPECT_FALSE(judge(patch(Patch::Cost::Visible), graded(9, {kRight, kLatent})).asExpected);
+    EXPECT_TRUE(judge(patch(Patch::Cost::Visible), graded(5, {kLatent, kVisible})).asExpected);
+}
+
 TEST(Judge, wants_a_blemish_to_be_remarked_on_and_cost_nothing) {
     const Patch mutant = patch(Patch::Cost::Blemish);
     const GradedCheck remark = check("fail", "blemish", 0, "disk.slow");
@@ -70,12 +88,34 @@ TEST(Judge, finds_the_rank_of_the_right_diagnosis) {
     EXPECT_EQ(judge(mutant, graded(5, {kVisible, kLatent})).diagnosisRank, 1U);
     EXPECT_EQ(judge(mutant, graded(5, {kLatent, kVisible})).diagnosisRank, 2U);
     EXPECT_EQ(judge(mutant, graded(5, {kLatent})).diagnosisRank, 0U);
+    EXPECT_EQ(judge(mutant, graded(5, {kVisible})).diagnosis, "disk.no_root");
+    EXPECT_EQ(judge(mutant, graded(5, {kLatent})).diagnosis, "");
+}
+
+TEST(Judge, looks_at_all_ids_of_a_check_but_only_where_the_item_has_none) {
+    const Patch mutant = patch(Patch::Cost::Visible);
+    GradedCheck both = kVisible;
+    both.diagnoses = {"disk.wide_rim", "disk.no_root"};
+    EXPECT_EQ(judge(mutant, graded(5, {both, kVisible})).diagnosisRank, 2U);
+    Graded named = graded(5, {both});
+    named.items[0].diagnoses = {"disk.no_root"};
+    EXPECT_EQ(judge(mutant, named).diagnosisRank, 1U);
+}
+
+TEST(Judge, finds_the_diagnosis_of_a_blemish) {
+    const GradedCheck remark = check("fail", "blemish", 0, "disk.no_root");
+    EXPECT_EQ(judge(patch(Patch::Cost::Blemish), graded(10, {remark})).diagnosisRank, 1U);
+    const GradedCheck other = check("fail", "blemish", 0, "disk.wide_rim");
+    EXPECT_EQ(judge(patch(Patch::Cost::Blemish), graded(10, {other, remark})).diagnosisRank, 2U);
+    EXPECT_EQ(judge(patch(Patch::Cost::Blemish), graded(10, {other})).diagnosisRank, 0U);
 }
 
 TEST(Judge, wants_a_variant_to_lose_nothing_and_to_get_no_diagnosis) {
     Patch variant = patch(Patch::Cost::Nothing);
     EXPECT_TRUE(judge(variant, graded(10, {kRight})).asExpected);
     EXPECT_FALSE(judge(variant, graded(10, {kLatent})).asExpected);
+    EXPECT_TRUE(judge(variant, graded(10, {check("fail", "blemish", 0, "")})).asExpected);
+    EXPECT_FALSE(judge(variant, graded(10, {check("fail", "blemish", 0, "disk.slow")})).asExpected);
     Graded missing = graded(0, {check("missing", "visible", 0, "")});
     missing.items[0].verdict = "missing";
     EXPECT_FALSE(judge(variant, missing).asExpected);
@@ -94,6 +134,53 @@ TEST(Summary, gives_rates_with_their_bounds) {
               std::string::npos);
     EXPECT_NE(text.find("within three: 1 of 1"), std::string::npos);
     EXPECT_NE(text.find("further seeds: gradings as expected: 1 of 2"), std::string::npos);
+}
+
+TEST(Summary, counts_apart_what_a_rate_leaves_out) {
+    Judgement good;
+    good.asExpected = good.lost = true;
+    good.diagnosisRank = 1;
+    good.diagnosis = "disk.no_root";
+    Judgement vague = good;
+    vague.diagnosis = "warp.density_of_points";
+    Patch unnamed = patch(Patch::Cost::Visible);
+    unnamed.diagnoses.clear();
+    const std::vector<PatchRecord> records = {{patch(Patch::Cost::Visible), {good}, {}},
+                                              {patch(Patch::Cost::Visible), {vague}, {}},
+                                              {patch(Patch::Cost::Blemish), {good}, {}},
+                                              {unnamed, {good}, {}}};
+    const std::string apart =
+        "apart: 1 remarks that by the rubric cost nothing, 1 mutants that no diagnosis fits\n";
+    for (const std::string &text : {summarise(records), markdown(records, "1234567")}) {
+        EXPECT_NE(text.find("lose points: 3 of 3"), std::string::npos) << text;
+        EXPECT_NE(text.find("of mutants that have one: 3 of 3"), std::string::npos) << text;
+        EXPECT_NE(text.find("and no catch-all, of the same: 2 of 3"), std::string::npos) << text;
+        EXPECT_NE(text.find(apart), std::string::npos) << text;
+    }
+    EXPECT_NE(markdown(records, "1234567").find("| none fits |\n"), std::string::npos);
+    EXPECT_EQ(summarise({{patch(Patch::Cost::Nothing), {good}, {}}}).find("apart"),
+              std::string::npos);
+}
+
+TEST(Record, replaces_its_section_alone) {
+    const fs::path file = fs::temp_directory_path() / ("record." + std::to_string(getpid()));
+    const std::string rest = "<!-- b: begin -->\nNot run yet.\n<!-- b: end -->\n";
+    std::ofstream(file) << "<!-- a: begin -->\nNot run yet.\n<!-- a: end -->\n" << rest;
+    replaceSection(file, "a", "Measured.\n");
+    EXPECT_EQ(textOf(file), "<!-- a: begin -->\nMeasured.\n<!-- a: end -->\n" + rest);
+    EXPECT_THROW(replaceSection(file, "c", ""), ExamError);
+    fs::remove(file);
+}
+
+TEST(Record, says_in_every_section_what_was_measured_or_that_nothing_was) {
+    const std::string text = textOf(fs::path(NORI_SOURCE_DIR) / "tests" / "exam.md");
+    const std::string begin = ": begin -->\n";
+    std::size_t sections = 0;
+    for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos; ++sections) {
+        at += begin.size();
+        EXPECT_NE(text.compare(at, 4, "<!--"), 0) << text.substr(at, 40);
+    }
+    EXPECT_GE(sections, 8U);
 }
 
 } // namespace exam

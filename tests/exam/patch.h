@@ -16,7 +16,7 @@ struct Change {
 struct Patch {
     enum class Cost {
         Nothing, ///< a variant: right
-        Visible, ///< the item loses points
+        Visible, ///< the item loses points, by a visible check
         Latent,  ///< the item loses points, but no more than its latent fraction
         Blemish, ///< a remark, and no point
     };
@@ -26,7 +26,7 @@ struct Patch {
     std::string what; ///< the mistake, or the difference, in one sentence
     Cost cost = Cost::Nothing;
     std::string item;                   ///< the one that it costs; empty for variants
-    std::vector<std::string> diagnoses; ///< ids or phrases, one of which must be named
+    std::vector<std::string> diagnoses; ///< ids, one of which must be named; may be empty
     std::string equivalent;             ///< where the mistake makes no difference; may be empty
     std::vector<std::string> missing;   ///< items that a variant does not do, and so does not get
 

@@ -33,10 +33,15 @@ struct Rate {
     }
 };
 
+bool isCatchAll(const std::string &id) {
+    return std::find(catchAlls().begin(), catchAlls().end(), id) != catchAlls().end();
+}
+
 std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
     Rate lost{"mutants that lose points"};
     Rate exact{"mutants that cost as much as they should, on exactly the right item"};
     Rate first{"first diagnosis right, of mutants that have one"};
+    Rate specific{"first diagnosis right, and no catch-all, of the same"};
     Rate three{"diagnosis right within three"};
     Rate again{"own item with further seeds: gradings as expected"};
     Rate remarks{"blemishes that are remarked on and cost nothing"};
@@ -65,14 +70,38 @@ std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
         if (patch.diagnoses.empty())
             continue;
         first.add(judgement.diagnosisRank == 1);
+        specific.add(judgement.diagnosisRank == 1 && !isCatchAll(judgement.diagnosis));
         three.add(judgement.diagnosisRank >= 1 && judgement.diagnosisRank <= 3);
     }
     std::vector<Rate> rates;
-    for (const Rate &rate : {lost, exact, first, three, again, remarks, whole, variants}) {
+    for (const Rate &rate :
+         {lost, exact, first, specific, three, again, remarks, whole, variants}) {
         if (rate.all > 0)
             rates.push_back(rate);
     }
     return rates;
+}
+
+bool isMutant(const PatchRecord &record) {
+    return record.patch.cost != Patch::Cost::Nothing;
+}
+
+/// The rates, and of mutants what the rates leave out.
+std::vector<std::string> findingsOf(const std::vector<PatchRecord> &records) {
+    std::vector<std::string> findings;
+    for (const Rate &rate : ratesOf(records))
+        findings.push_back(rate.describe());
+    const auto remarks = std::count_if(records.begin(), records.end(), [](const auto &record) {
+        return record.patch.cost == Patch::Cost::Blemish;
+    });
+    const auto unnamed = std::count_if(records.begin(), records.end(), [](const auto &record) {
+        return isMutant(record) && record.patch.diagnoses.empty();
+    });
+    if (std::any_of(records.begin(), records.end(), isMutant))
+        findings.push_back(fmt::format("apart: {} remarks that by the rubric cost nothing, {} "
+                                       "mutants that no diagnosis fits",
+                                       remarks, unnamed));
+    return findings;
 }
 
 std::string escaped(std::string text) {
@@ -83,7 +112,9 @@ std::string escaped(std::string text) {
 }
 
 std::string diagnosisCell(const PatchRecord &record) {
-    if (record.patch.diagnoses.empty() || record.whole.empty())
+    if (record.patch.diagnoses.empty())
+        return "none fits";
+    if (record.whole.empty())
         return "";
     const std::size_t rank = record.whole.front().diagnosisRank;
     return rank == 0 ? "no" : fmt::format("{}", rank);
@@ -107,18 +138,16 @@ bool PatchRecord::asExpected() const {
 
 std::string summarise(const std::vector<PatchRecord> &records) {
     std::string text;
-    for (const Rate &rate : ratesOf(records))
-        text += rate.describe() + "\n";
+    for (const std::string &finding : findingsOf(records))
+        text += finding + "\n";
     return text;
 }
 
 std::string markdown(const std::vector<PatchRecord> &records, const std::string &commit) {
     std::string text = fmt::format("Measured at commit `{}`.\n\n", commit);
-    for (const Rate &rate : ratesOf(records))
-        text += fmt::format("- {}\n", rate.describe());
-    const bool mutants = std::any_of(records.begin(), records.end(), [](const PatchRecord &record) {
-        return record.patch.cost != Patch::Cost::Nothing;
-    });
+    for (const std::string &finding : findingsOf(records))
+        text += fmt::format("- {}\n", finding);
+    const bool mutants = std::any_of(records.begin(), records.end(), isMutant);
     text += mutants ? "\n| mutant | mistake | item | expected | whole | own item | diagnosis |\n"
                       "| --- | --- | --- | --- | --- | --- | --- |\n"
                     : "\n| variant | difference | whole gradings as expected |\n"

@@ -16,7 +16,8 @@ struct PatchRecord {
     bool asExpected() const;
 };
 
-/// Rates with the bounds of Clopper and Pearson (two-sided 95 %), one line each.
+/// Rates with the bounds of Clopper and Pearson (two-sided 95 %), one line each, and what stands
+/// apart from them.
 std::string summarise(const std::vector<PatchRecord> &records);
 
 /// Rates and a table of all patches, as Markdown.
