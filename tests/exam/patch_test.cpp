@@ -8,7 +8,8 @@
 #include <fstream>
 #include <iterator>
 
-#include <exam/patch.h>
+#include <exam/hand_in.h>
+#include <exam/judgement.h>
 
 namespace exam {
 
@@ -80,15 +81,31 @@ TEST_F(Patches, refuse_what_they_do_not_know) {
 }
 
 TEST_F(Patches, of_the_corpus_all_apply) {
-    for (const char *corpus : {"mutants", "variants"}) {
+    for (const char *corpus : {"mutants", "borderline", "variants"}) {
         for (const Patch &patch : findPatches(kTests / corpus, "")) {
             EXPECT_NO_THROW(apply(patch, kTests / "submissions", m_folder / "work"));
             fs::remove_all(m_folder / "work");
             EXPECT_EQ(patch.item.empty(), std::string(corpus) == "variants") << patch.name;
-            for (const std::string &id : patch.diagnoses)
-                EXPECT_NE(grader::findDiagnosis(id), nullptr) << patch.name << ": " << id;
         }
     }
+}
+
+TEST(Diagnoses, that_are_asked_for_are_all_in_the_catalogue) {
+    const auto expectKnown = [](const std::string &id, const std::string &where) {
+        EXPECT_NE(grader::findDiagnosis(id), nullptr) << where << ": " << id;
+    };
+    for (const char *corpus : {"mutants", "borderline", "variants"}) {
+        for (const Patch &patch : findPatches(kTests / corpus, "")) {
+            for (const std::string &id : patch.diagnoses)
+                expectKnown(id, patch.name);
+        }
+    }
+    for (const Case &which : findCases(kTests / "submissions", "")) {
+        if (const std::string &id = which.expectation.diagnosis; !id.empty())
+            expectKnown(id, which.name);
+    }
+    for (const std::string &id : catchAlls())
+        expectKnown(id, "catchAlls()");
 }
 
 } // namespace exam
