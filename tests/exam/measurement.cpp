@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <thread>
 
-#include "grading_queue.h"
+#include "run_options.h"
 #include "summary.h"
 
 namespace exam {
@@ -18,15 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-    fs::path project;
-    fs::path norigrade;
-    fs::path cache;
-    fs::path record; ///< Markdown file; empty: none
-    std::string only;
+struct Options : RunOptions {
     int whole = 1;
     int seeds = 0;
-    int jobs = 1;
 };
 
 /// One grading of one patch.
@@ -41,7 +34,7 @@ class Measurement {
 public:
     Measurement(const Options &options, const std::string &verb)
         : m_options(options),
-          m_patches(findPatches(options.project / "tests" / verb, options.only)),
+          m_patches(findPatches(options.places.project / "tests" / verb, options.only)),
           m_judgements(m_patches.size()) {
         for (int round = 0; round < options.whole; ++round)
             addTasks(false, round);
@@ -50,8 +43,7 @@ public:
     }
 
     void run() {
-        GradingQueue queue({m_options.project, m_options.norigrade, m_options.cache},
-                           m_options.jobs);
+        GradingQueue queue(m_options.places, m_options.jobs);
         std::vector<GradingTask> gradings;
         for (const Task &task : m_tasks)
             gradings.push_back(gradingOf(task));
@@ -87,7 +79,8 @@ private:
         const Patch &patch = m_patches[task.patch];
         return {patch.name,
                 [this, &patch](const fs::path &scratch) {
-                    return apply(patch, m_options.project / "tests" / "submissions", scratch);
+                    return apply(patch, m_options.places.project / "tests" / "submissions",
+                                 scratch);
                 },
                 {seedOf(task.round), task.ownItem ? patch.item : ""}};
     }
@@ -125,16 +118,11 @@ int measure(int argc, char **argv) {
     Options options;
     options.whole = mutants ? 1 : 5;
     options.seeds = mutants ? 4 : 0;
-    options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     CLI::App app(mutants ? "Grades every mutant: one mistake each, which has to cost its item, and "
                            "nothing else."
                          : "Grades every correct variant, which must lose nothing.",
                  "./run " + verb);
-    app.add_option("--project", options.project, "The project's folder")->required();
-    app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
-    app.add_option("--cache", options.cache, "Where results are kept")->required();
-    app.add_option("--only", options.only, "Only those with this text in their name")
-        ->option_text("TEXT");
+    addRunOptions(app, options);
     app.add_option("--whole", options.whole, "Gradings of each whole hand-in, a seed each")
         ->check(CLI::Range(0, 10'000))
         ->capture_default_str();
@@ -142,13 +130,6 @@ int measure(int argc, char **argv) {
         app.add_option("--seeds", options.seeds, "Gradings of each one's own item, further seeds")
             ->check(CLI::Range(0, 10'000))
             ->capture_default_str();
-    app.add_option("--jobs", options.jobs, "Gradings at the same time")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
-    app.add_option("--record", options.record, "Write the table into this Markdown file")
-        ->option_text("FILE");
-    app.footer("Results are kept: a second call grades only what has changed.\n"
-               "Exit codes: 0 all as expected, 1 some not, 2 usage, 75 interrupted.");
     CLI11_PARSE(app, argc, argv);
 
     catchInterrupts();
@@ -162,7 +143,7 @@ int measure(int argc, char **argv) {
         return kInterrupted;
     }
     if (!options.record.empty())
-        replaceSection(options.record, verb, markdown(records, commitOf(options.project)));
+        replaceSection(options.record, verb, markdown(records, commitOf(options.places.project)));
     const bool right = std::all_of(records.begin(), records.end(),
                                    [](const PatchRecord &record) { return record.asExpected(); });
     return right ? 0 : 1;

@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "command.h"
-#include "grading_queue.h"
 #include "hand_in.h"
 #include "patch.h"
+#include "run_options.h"
 #include "stability.h"
 #include "summary.h"
 
@@ -24,14 +24,10 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kAccepted = {"accepted/reference"};
 const std::vector<std::string> kWrong = {"wrong/mesh_first_triangle_only", "wrong/ems_no_pick_pdf"};
 
-struct Options {
-    GradingPlaces places;
+struct Options : RunOptions {
     fs::path unoptimised; ///< norigrade that builds hand-ins with -O0
-    fs::path record;      ///< Markdown file; empty: none
-    std::string only;
     int seeds = 60;
     int settings = 3;
-    int jobs = 1;
 };
 
 /// A hand-in and how it is put together.
@@ -149,18 +145,13 @@ std::string describeFalseAlarms(const GradingPlaces &places) {
 
 int measureStability(int argc, char **argv) {
     Options options;
-    options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     CLI::App app("Grades the same right, borderline and wrong hand-ins again and again: with other "
                  "seeds, with two\nprocesses at the same time, and built without optimisation.",
                  "./run stability");
-    app.add_option("--project", options.places.project, "The project's folder")->required();
-    app.add_option("--norigrade", options.places.norigrade, "The program to examine")->required();
+    addRunOptions(app, options);
     app.add_option("--unoptimised", options.unoptimised,
                    "The same program, which builds hand-ins with -O0")
         ->required();
-    app.add_option("--cache", options.places.cache, "Where results are kept")->required();
-    app.add_option("--only", options.only, "Only those with this text in their name")
-        ->option_text("TEXT");
     app.add_option("--seeds", options.seeds, "Gradings of each hand-in, a seed each")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
@@ -168,13 +159,6 @@ int measureStability(int argc, char **argv) {
                    "Seeds that are graded with two processes and with -O0, too")
         ->check(CLI::Range(0, 10'000))
         ->capture_default_str();
-    app.add_option("--jobs", options.jobs, "Gradings at the same time")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
-    app.add_option("--record", options.record, "Write the table into this Markdown file")
-        ->option_text("FILE");
-    app.footer("Results are kept: a second call grades only what has changed.\n"
-               "Exit codes: 0 all as expected, 1 some not, 2 usage, 75 interrupted.");
     CLI11_PARSE(app, argc, argv);
     options.settings = std::min(options.settings, options.seeds);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "toml_file.h"
 
+#include <grader/error.h>
+#include <grader/text_file.h>
+
 #include <fmt/format.h>
 
 #include "expectation.h"
@@ -9,10 +12,9 @@ namespace exam {
 
 TomlFile::TomlFile(std::filesystem::path path) : m_path(std::move(path)) {
     try {
-        m_root = toml::parse_file(m_path.string());
-    } catch (const toml::parse_error &error) {
-        throw ExamError(fmt::format("{}:{}: {}", m_path.string(), error.source().begin.line,
-                                    error.description()));
+        m_root = grader::parseToml(grader::readTextFile(m_path), m_path.string());
+    } catch (const grader::GraderError &error) {
+        throw ExamError(error.what());
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <toml++/toml.h>
+#include <grader/toml_text.h>
 
 #include <filesystem>
 #include <string>
