@@ -79,7 +79,7 @@ const std::vector<Attack> &attackTable() {
         {'B', Escape, "runs_helpers", "runs a shell, sudo, bubblewrap", End::Exit},
         {'B', Escape, "runs_a_setuid_program", "runs a setuid program of /usr/lib", End::Any},
         {'B', Escape, "signals_others", "signals processes outside", End::Any},
-        {'B', Escape, "takes_priority", "takes real-time priority, raises limits", End::Exit},
+        {'B', Escape, "takes_priority", "takes and gives up priority, raises limits", End::Exit},
         {'B', Escape, "locks_memory", "locks more memory than is its own", End::Any},
         {'B', Escape, "sets_the_machine", "sets clock, name, swap, modules", End::Exit},
         {'B', Escape, "tries_rare_calls", "calls the kernel's rare corners", End::Exit},

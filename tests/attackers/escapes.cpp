@@ -143,6 +143,15 @@ void takesPriority() {
     wantRefused("real time", ::sched_setscheduler(0, SCHED_FIFO, &param));
     wantRefused("round robin", ::sched_setscheduler(0, SCHED_RR, &param));
     wantRefused("nice", ::setpriority(PRIO_PROCESS, 0, -20));
+    // To look starved by others, which costs nothing.
+    const sched_param none{0};
+    wantRefused("idle", ::sched_setscheduler(0, SCHED_IDLE, &none));
+    wantRefused("batch", ::sched_setscheduler(0, SCHED_BATCH, &none));
+    wantRefused("its own nice", ::setpriority(PRIO_PROCESS, 0, 19));
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(0, &one);
+    wantRefused("one processor", ::sched_setaffinity(0, sizeof(one), &one));
     wantRefused("disk priority", ::syscall(SYS_ioprio_set, 1, 0, 1 << 13));
     const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
     for (const __rlimit_resource limit :

@@ -23,7 +23,7 @@ namespace {
 /// What neither a compiler nor a renderer needs; refused with EPERM. The namespaces already hold
 /// most of it: this is the second wall, and keeps the kernel's newer corners out of reach. Memory
 /// that belongs to no process (System V, memfd) would escape the limits where there is no control
-/// group.
+/// group. A box that gives up its own priority would look starved by others (endOfTime()).
 constexpr const char *kDenied[] = {"socket",
                                    "socketpair",
                                    "connect",
@@ -87,7 +87,13 @@ constexpr const char *kDenied[] = {"socket",
                                    "name_to_handle_at",
                                    "landlock_create_ruleset",
                                    "pidfd_getfd",
-                                   "vmsplice"};
+                                   "vmsplice",
+                                   "sched_setscheduler",
+                                   "sched_setparam",
+                                   "sched_setattr",
+                                   "sched_setaffinity",
+                                   "setpriority",
+                                   "ioprio_set"};
 
 constexpr const char *kDeniedToProbes[] = {"fork", "vfork", "execveat"};
 
