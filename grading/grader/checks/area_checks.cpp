@@ -84,12 +84,34 @@ CheckResult withSamples(CheckContext &context, Light kind, const Judge &judge) {
     return answer.failure ? *answer.failure : judge(light, answer.rows);
 }
 
-/// What radiance is that is `ratios` times the right one.
-std::vector<Guess> guessEval(Light kind, const std::vector<double> &ratios) {
+/// Radiance that is not what it should be.
+struct WrongRadiance {
+    Vector3d got;
+    Vector3d want; ///< not black
+};
+
+/// True if every channel is the right one up to a limit, and the limit is reached.
+bool isClamped(const std::vector<WrongRadiance> &rows) {
+    double limit = 0;
+    double brightest = 0;
+    for (const WrongRadiance &row : rows) {
+        limit = std::max(limit, row.got.maxCoeff());
+        brightest = std::max(brightest, row.want.maxCoeff());
+    }
+    return brightest > (1 + kTolerance) * limit &&
+           std::all_of(rows.begin(), rows.end(), [=](const WrongRadiance &row) {
+               return (row.got - row.want.cwiseMin(limit)).norm() <= kTolerance * limit;
+           });
+}
+
+std::vector<Guess> guessEval(Light kind, const std::vector<WrongRadiance> &rows) {
     if (kind == Light::Textured || kind == Light::WithoutUv)
         return {{"area.texture_uv", 0.7}};
-    if (ratios.empty())
+    if (rows.empty())
         return {};
+    std::vector<double> ratios;
+    for (const WrongRadiance &row : rows)
+        ratios.push_back(row.got.sum() / row.want.sum());
     const auto all = [&](double target) {
         return std::all_of(ratios.begin(), ratios.end(), [=](double ratio) {
             return std::abs(ratio - target) <= kTolerance * std::max(target, 1.0);
@@ -103,6 +125,8 @@ std::vector<Guess> guessEval(Light kind, const std::vector<double> &ratios) {
         return {{"area.scale_ignored"}};
     if (all(std::numbers::pi) || all(1 / std::numbers::pi))
         return {{"area.radiance_pi"}};
+    if (isClamped(rows))
+        return {{"area.radiance_clamped"}};
     return {{all(ratios.front()) ? "area.radiance_factor" : "area.eval_falls_off", 0.8}};
 }
 
@@ -136,7 +160,7 @@ CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
         expected.rows.assign(queries.size(), {value, 0});
     }
     std::size_t wrong = 0;
-    std::vector<double> ratios;
+    std::vector<WrongRadiance> wrongValues;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Vector3d &got = answer.rows[i].eval;
         const Vector3d &want = expected.rows[i].eval;
@@ -144,10 +168,11 @@ CheckResult judgeEval(CheckContext &context, Light kind, bool fromBehind) {
             got.allFinite() && (got - want).norm() <= kTolerance * std::max(want.norm(), 1e-6);
         wrong += right ? 0 : 1;
         if (!right && want.norm() > 0)
-            ratios.push_back(got.sum() / want.sum());
+            wrongValues.push_back({got, want});
     }
     return judgeRows(wrong, queries.size(), "values of AreaEmitter::eval",
-                     fromBehind ? std::vector<Guess>{{"area.two_sided"}} : guessEval(kind, ratios));
+                     fromBehind ? std::vector<Guess>{{"area.two_sided"}}
+                                : guessEval(kind, wrongValues));
 }
 
 CheckResult judgeRecord(const LightScene &light, const std::vector<EmitterSampleRow> &rows) {
