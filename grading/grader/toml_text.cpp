@@ -39,15 +39,25 @@ std::string movedBack(std::string_view utf8) {
     return moved(fromUtf8(utf8), kPlane16 + kFirst, kPlane16 + kLast, -kPlane16);
 }
 
-/// \throws GraderError  if it is not UTF-8
+[[noreturn]] void fail(const std::string &name, std::string_view before, const char *what) {
+    const std::size_t lineEnd = before.rfind('\n');
+    throw GraderError(fmt::format(
+        "{}:{}:{}: {}", name, std::count(before.begin(), before.end(), '\n') + 1,
+        lineEnd == std::string_view::npos ? before.size() + 1 : before.size() - lineEnd, what));
+}
+
 icu::UnicodeString decode(std::string_view utf8, const std::string &name) {
     icu::UnicodeString text = fromUtf8(utf8);
     std::string back;
     text.toUTF8String(back); // what is malformed comes back as U+FFFD
     const auto fault = std::mismatch(utf8.begin(), utf8.end(), back.begin(), back.end()).first;
     if (fault != utf8.end())
-        throw GraderError(fmt::format("{}:{}: is not UTF-8; save it in that encoding", name,
-                                      std::count(utf8.begin(), fault, '\n') + 1));
+        fail(name, utf8.substr(0, static_cast<std::size_t>(fault - utf8.begin())),
+             "is not UTF-8; save it in that encoding");
+    for (const char *plane16 : {"\xf4", "\\U0010"}) {
+        if (const std::size_t at = utf8.find(plane16); at != std::string_view::npos)
+            fail(name, utf8.substr(0, at), "a letter of plane 16, which is for private use");
+    }
     return text;
 }
 

@@ -11,8 +11,7 @@
 
 namespace grader {
 
-/// Reads TOML with toml++. Keys must be ASCII. In texts and comments every letter may stand but
-/// those of plane 16, which are for private use.
+/// Reads TOML with toml++. Keys must be ASCII; letters of plane 16, for private use, are refused.
 ///
 /// \param name  of the file, for messages
 /// \throws GraderError  `name:line:column: what is wrong`

@@ -71,7 +71,7 @@ struct RawFiles {
 class LeftOutFolders;
 
 /// Last step of reading: makes a note of each file that was refused, lists the folders that were
-/// left out, and decodes the names of all.
+/// left out, and decodes the names of all, in one charset.
 void finishFiles(RawFiles &read, const LeftOutFolders &leftOut);
 
 } // namespace grader

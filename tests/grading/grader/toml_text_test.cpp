@@ -46,8 +46,14 @@ TEST(TomlText, RefusesThemElsewhere) {
 }
 
 TEST(TomlText, RefusesWhatIsNoUtf8) {
-    EXPECT_EQ(faultOf("b = 1\na = '\xff'"), "r.toml:2: is not UTF-8; save it in that encoding");
+    EXPECT_EQ(faultOf("b = 1\na = '\xff'"), "r.toml:2:6: is not UTF-8; save it in that encoding");
     EXPECT_NE(faultOf("# \xc3").find("not UTF-8"), std::string::npos);
+}
+
+TEST(TomlText, RefusesLettersForPrivateUseOfPlane16) {
+    for (const char *text : {"a = '\U001000e1'", R"(a = "\U001000e1")"})
+        EXPECT_EQ(faultOf(text).rfind("r.toml:1:6: a letter of plane 16", 0), 0U) << faultOf(text);
+    EXPECT_EQ(valueOfA("a = '\U000fffff'"), "\U000fffff");
 }
 
 TEST(TomlText, RefusesThemWhereTomlLooksAhead) {
