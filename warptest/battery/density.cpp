@@ -97,7 +97,10 @@ public:
         (kind == QueryKind::Target ? m_result.targetPoints : m_result.insidePoints) += 1;
         if (!right) {
             (kind == QueryKind::Target ? m_result.wrongAtTarget : m_result.wrongInside) += 1;
-            m_result.zeroAtTarget += kind == QueryKind::Target && pdf == 0.0 ? 1 : 0;
+            if (kind == QueryKind::Target && pdf == 0.0) {
+                ++m_result.zeroAtTarget;
+                m_result.zeroDepth = std::max(m_result.zeroDepth, m_entry.margin(p));
+            }
         }
         addRatio(index, p, kind, pdf);
     }
@@ -168,7 +171,9 @@ bool fits(const catalog::WarpEntry &entry, double a, const catalog::DensityMista
     std::size_t missed = 0;
     for (std::size_t i = 0; i < pdfs.size(); ++i) {
         const catalog::Point p = toPoint(queries.points[i]);
-        if (queries.kinds[i] == QueryKind::Boundary || isAtBoundary(entry, p)) {
+        // Where the right density is 0 to single precision, a test for that may come first.
+        const bool isNegligible = entry.margin(p) >= 0.0 && entry.density(p, a) < kSmallDensity;
+        if (queries.kinds[i] == QueryKind::Boundary || isAtBoundary(entry, p) || isNegligible) {
             continue;
         }
         ++looked;

@@ -33,6 +33,7 @@ struct DensityResult {
     std::size_t targetPoints = 0;  ///< points drawn from the target, clear of the boundary
     std::size_t wrongAtTarget = 0; ///< of them, where the density is off by more than rounding
     std::size_t zeroAtTarget = 0;  ///< of the wrong ones, where it is 0
+    double zeroDepth = 0.0;        ///< of those, the largest distance to the boundary
     double maxRelativeError = 0.0; ///< inside the support, where the density matters
     double medianRatio = 1.0;      ///< returned / exact, at the target points
     std::size_t worst = 0;         ///< index of the query with the largest relative error

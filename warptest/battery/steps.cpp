@@ -18,6 +18,9 @@ constexpr double kSmallestRange = 0.01;
 /// What a few operations in single precision may add up to.
 constexpr double kRoundings = 8.0;
 
+/// Gaps of continuous outputs, in expected ones, that are wider: one of exp(10).
+constexpr double kWideGap = 10.0;
+
 void lookAt(char coordinate, std::vector<double> values, StepResult &worst) {
     if (values.size() < 4) {
         return;
@@ -34,14 +37,19 @@ void lookAt(char coordinate, std::vector<double> values, StepResult &worst) {
     if (!(range > kSmallestRange)) {
         return;
     }
+    const double spacing = 1.0 / static_cast<double>(to - from);
     double gap = 0.0;
+    double emptied = 0.0;
     for (std::size_t i = from; i < to; ++i) {
-        gap = std::max(gap, values[i + 1] - values[i]);
+        const double step = (values[i + 1] - values[i]) / range;
+        gap = std::max(gap, step);
+        emptied += step > kWideGap * spacing ? step : 0.0;
     }
-    if (gap / range > worst.gap) {
-        worst.gap = gap / range;
+    if (gap > worst.gap) {
+        worst.gap = gap;
         worst.coordinate = coordinate;
-        worst.spacing = 1.0 / static_cast<double>(to - from);
+        worst.spacing = spacing;
+        worst.emptied = emptied;
     }
 }
 

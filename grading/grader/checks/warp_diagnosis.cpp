@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "warp_diagnosis.h"
 
+#include <battery/steps.h>
 #include <grader/diagnosis/catalogue.h>
 
 #include <algorithm>
@@ -101,6 +102,13 @@ Guess guessConstant(const std::string &name) {
     return {holds("pi") ? "warp.pdf_factor_pi" : "warp.pdf_factor_two", 1};
 }
 
+/// True if the density is 0 near the boundary only: of points anywhere, 43 % or more lie deeper.
+bool isCut(const battery::DensityResult &density) {
+    constexpr double kMargin = 0.1;
+    constexpr std::size_t kMany = 50;
+    return density.zeroDepth < kMargin && density.zeroAtTarget >= kMany;
+}
+
 Guess guessRatio(const catalog::WarpEntry &warp, const catalog::RatioLaw &law) {
     for (const KnownRatio &known : kRatios) {
         if ((known.warp.empty() || known.warp == warp.id) && known.cosinePower == law.cosinePower &&
@@ -138,6 +146,8 @@ std::vector<Guess> guessSamples(const catalog::WarpEntry &warp, double parameter
         if (match.explained >= kLeastFit)
             guesses.push_back({warpDiagnosis(warp.id, match.mistake->id), match.explained});
     }
+    if (battery::judgeSteps(warp, parameter, outputs).isLined())
+        guesses.push_back({"warp.rounded", 0.95});
     guesses.push_back({"warp.density_of_points", kVagueFit});
     return guesses;
 }
@@ -173,8 +183,9 @@ std::vector<Guess> guessDensity(const catalog::WarpEntry &warp,
         !(density.ratio.cosinePower == 0 && density.ratio.constantName == "1"))
         guesses.push_back(guessRatio(warp, density.ratio));
     if (density.zeroAtTarget > 0 && isNear(density.medianRatio, 1))
-        guesses.push_back({"warp.pdf_exact_norm", static_cast<double>(density.zeroAtTarget) /
-                                                      static_cast<double>(density.wrongAtTarget)});
+        guesses.push_back({isCut(density) ? "warp.pdf_cut" : "warp.pdf_exact_norm",
+                           static_cast<double>(density.zeroAtTarget) /
+                               static_cast<double>(density.wrongAtTarget)});
     if (density.negative > 0)
         guesses.push_back({"warp.pdf_negative", 0.7});
     guesses.push_back({"warp.pdf_wrong", kVagueFit});

@@ -46,8 +46,24 @@ TEST(JudgeSteps, FindsRoundedRandomNumbers) {
             }
             EXPECT_TRUE(judge(sample, inputs, a).isStepped())
                 << sample.warpId << " " << sample.name << " " << steps;
+            EXPECT_TRUE(judge(sample, inputs, a).isLined())
+                << sample.warpId << " " << sample.name << " " << steps;
         }
     }
+}
+
+TEST(JudgeSteps, TakesAHoleForNoLines) {
+    const auto &disk = catalog::requireWarp("disk");
+    std::vector<battery::Output> outputs;
+    for (const battery::Input &input : battery::randomInputs(kSamples, 1)) {
+        const float x = 1.4F * input.u - 0.7F;
+        if (std::abs(x) > 0.1F) {
+            outputs.push_back({x, 1.4F * input.v - 0.7F, 0.0F});
+        }
+    }
+    const battery::StepResult found = battery::judgeSteps(disk, 0.0, outputs);
+    EXPECT_TRUE(found.isStepped());
+    EXPECT_FALSE(found.isLined()) << found.emptied;
 }
 
 TEST(JudgeSteps, HasNothingToSayOfTooFewOutputs) {
