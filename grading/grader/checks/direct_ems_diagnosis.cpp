@@ -93,13 +93,16 @@ std::vector<Hypothesis> choiceMistakes(const std::vector<std::vector<Vector3d>> 
             once.push_back(weights.dot(intensity) / sum);
         std::vector<double> twice;
         std::vector<double> inverse;
+        std::vector<double> byNumber;
         for (const double p : once) {
             twice.push_back(p * p);
             inverse.push_back(1 / p);
+            byNumber.push_back(p * static_cast<double>(lights.size()));
         }
         mistakes.push_back(weighted("ems.pick_pdf_forgotten", lights, once));
         mistakes.push_back(weighted("ems.pick_pdf_multiplied", lights, twice));
         mistakes.push_back(weighted("ems.pick_pdf_twice", lights, inverse));
+        mistakes.push_back(weighted("importance.not_divided", lights, byNumber));
         for (std::size_t i = 0; i < lights.size(); ++i)
             alone("ems.light_chosen_once", i, inverse[i]);
     }
