@@ -160,10 +160,14 @@ std::vector<Guess> guessRange(const catalog::WarpEntry &warp, double parameter,
     std::vector<Guess> guesses = guessSamples(warp, parameter, outputs);
     if (!guesses.empty())
         guesses.pop_back(); // that points are wrong is said better by what follows
-    if (range.offNorm > range.bad() / 2)
-        guesses.push_back({"warp.not_unit", 0.8});
-    else
+    if (range.offNorm <= range.bad() / 2) {
         guesses.push_back({"warp.out_of_domain", kVagueFit});
+        return guesses;
+    }
+    // Certain, whatever mistake the directions alone look like.
+    for (Guess &guess : guesses)
+        guess.fit *= 0.9;
+    guesses.push_back({"warp.not_unit", 1});
     return guesses;
 }
 
