@@ -58,6 +58,9 @@ CheckResult judgeChoice(CheckContext &context) {
                                      100 * law.error);
         result.diagnoses = {{"importance.not_proportional", 0.6}};
     }
+    if (std::find(choice.frequencies.begin(), choice.frequencies.end(), 0.0) !=
+        choice.frequencies.end())
+        result.diagnoses = {{"importance.light_missing"}};
     return result;
 }
 
@@ -78,7 +81,7 @@ CheckResult judgeEveryLight(CheckContext &context) {
                     missing > 1 ? "are" : "is"));
     result.effect = static_cast<double>(missing) / kKinds;
     if (noMeshes && missing == 2)
-        result.diagnoses = {{"importance.built_too_early"}, {"importance.light_missing", 0.5}};
+        result.diagnoses = {{"importance.built_too_early", 0.9}, {"importance.light_missing", 0.5}};
     else
         result.diagnoses = {{"importance.light_missing"}};
     return result;

@@ -105,7 +105,7 @@ std::vector<Guess> guessPdf(const Picks &picks, const char *other) {
     if (all([&](std::size_t i) { return 1 / picks.frequency[i]; }))
         return {{"importance.pdf_reciprocal"}};
     if (all([&](std::size_t i) { return factor * picks.frequency[i]; }))
-        return {{"importance.unnormalised"}};
+        return {{std::abs(factor / kLights - 1) <= 0.05 ? other : "importance.unnormalised"}};
     return {{other, 0.5}};
 }
 
