@@ -110,6 +110,7 @@ std::vector<Guess> guessEval(Light kind, const std::vector<WrongRadiance> &rows)
     if (rows.empty())
         return {};
     std::vector<double> ratios;
+    ratios.reserve(rows.size());
     for (const WrongRadiance &row : rows)
         ratios.push_back(row.got.sum() / row.want.sum());
     const auto all = [&](double target) {
