@@ -16,6 +16,7 @@ namespace {
 constexpr double kRounding = 1e-9; ///< points are sums of fractions
 constexpr int kDone = 0;           ///< exit codes of `norigrade grade` that are no failure
 constexpr int kNeedsHuman = 3;
+constexpr int kInfra = 5; ///< and the one that may be none another time
 
 std::vector<std::string> parseGuesses(const nlohmann::json &json) {
     std::vector<std::string> ids;
@@ -133,10 +134,13 @@ std::string gradeToJson(const std::filesystem::path &norigrade, const std::files
     if (!question.item.empty())
         command.insert(command.end(), {"--item", question.item});
     const Outcome outcome = runCommand(command, scratch);
-    if (outcome.exitCode != kDone && outcome.exitCode != kNeedsHuman)
-        throw ExamError(
-            fmt::format("norigrade ended with code {}: {}", outcome.exitCode, outcome.errors));
-    return outcome.output;
+    if (outcome.exitCode == kDone || outcome.exitCode == kNeedsHuman)
+        return outcome.output;
+    const std::string what =
+        fmt::format("norigrade ended with code {}: {}", outcome.exitCode, outcome.errors);
+    if (outcome.exitCode == kInfra)
+        throw InfraError(what);
+    throw ExamError(what);
 }
 
 Graded parseResults(const std::string &json) {

@@ -52,11 +52,18 @@ struct Question {
     std::string item; ///< empty: all
 };
 
+/// The grader could not test something, through no fault of the hand-in: another time it may.
+class InfraError : public ExamError {
+public:
+    using ExamError::ExamError;
+};
+
 /// Grades one hand-in with the program itself.
 /// \param jobs     processes that the program may use at the same time
 /// \param scratch  an existing folder for its temporary files and its results
 /// \return         results.json
-/// \throws ExamError  if the program fails (a zero is no failure)
+/// \throws InfraError  if it could not test something
+/// \throws ExamError   if it fails in any other way (a zero is no failure)
 std::string gradeToJson(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
                         const Question &question, int jobs, const std::filesystem::path &scratch);
 

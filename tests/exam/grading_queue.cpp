@@ -56,7 +56,22 @@ private:
     bool m_terminal;
 };
 
+/// `disk/no_root --item warp.disk --seed ...`
+std::string describe(const GradingTask &task) {
+    return fmt::format("{}{} --seed {}{}", task.name,
+                       task.question.item.empty() ? "" : " --item " + task.question.item,
+                       task.question.seed,
+                       task.processes > 1 ? fmt::format(" --jobs {}", task.processes) : "");
+}
+
 } // namespace
+
+std::string describeSetAside(const std::vector<std::string> &names) {
+    if (names.empty())
+        return "";
+    return fmt::format("\nSet aside, because the grader itself failed {} times:\n\n- {}\n", kTries,
+                       fmt::join(names, "\n- "));
+}
 
 void catchInterrupts() {
     for (const int signal : {SIGINT, SIGTERM})
@@ -76,6 +91,18 @@ GradingQueue::GradingQueue(const GradingPlaces &places, int atOnce)
                places.project / "scenes" / "grading",
                places.project / "scenes" / "assignment-2" / "serapis"}) {}
 
+std::string GradingQueue::grade(const GradingTask &task, const fs::path &handIn,
+                                const fs::path &scratch) const {
+    for (int left = kTries - 1;; --left) {
+        try {
+            return gradeToJson(m_norigrade, handIn, task.question, task.processes, scratch);
+        } catch (const InfraError &) {
+            if (left == 0 || interrupted)
+                throw;
+        }
+    }
+}
+
 std::string GradingQueue::resultOf(const GradingTask &task, const fs::path &scratch,
                                    bool &isNew) const {
     const fs::path handIn = task.compose(scratch);
@@ -87,7 +114,7 @@ std::string GradingQueue::resultOf(const GradingTask &task, const fs::path &scra
     isNew = !known;
     if (known)
         return *known;
-    std::string json = gradeToJson(m_norigrade, handIn, task.question, task.processes, scratch);
+    std::string json = grade(task, handIn, scratch);
     m_cache.store(key, json);
     return json;
 }
@@ -97,6 +124,7 @@ std::size_t GradingQueue::run(const std::vector<GradingTask> &tasks, const Recei
     std::mutex mutex; // of all that follows
     Progress progress(tasks.size());
     std::string error;
+    std::atomic<bool> stopped = false;
     const auto perform = [&](std::size_t at) {
         const fs::path scratch = m_work.path() / fmt::format("{}", at);
         try {
@@ -107,11 +135,19 @@ std::size_t GradingQueue::run(const std::vector<GradingTask> &tasks, const Recei
             progress.clear();
             receive(at, json);
             progress.add(isNew);
+        } catch (const InfraError &what) {
+            const std::lock_guard lock(mutex);
+            if (!interrupted) {
+                m_setAside.push_back(describe(tasks[at]));
+                progress.clear();
+                std::cerr << fmt::format("{}: set aside: {}\n", m_setAside.back(), what.what());
+                progress.add(true);
+            }
         } catch (const std::exception &what) {
             const std::lock_guard lock(mutex);
-            if (!interrupted)
+            if (!interrupted && !stopped)
                 error = fmt::format("{}: {}", tasks[at].name, what.what());
-            interrupted = true;
+            stopped = true;
         }
         std::error_code ignored;
         fs::remove_all(scratch, ignored);
@@ -120,7 +156,8 @@ std::size_t GradingQueue::run(const std::vector<GradingTask> &tasks, const Recei
     threads.reserve(static_cast<std::size_t>(m_atOnce));
     for (int i = 0; i < m_atOnce; ++i)
         threads.emplace_back([&] {
-            for (std::size_t at = next++; at < tasks.size() && !interrupted; at = next++)
+            for (std::size_t at = next++; at < tasks.size() && !interrupted && !stopped;
+                 at = next++)
                 perform(at);
         });
     for (std::thread &thread : threads)

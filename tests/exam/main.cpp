@@ -17,6 +17,7 @@
 #include "hand_in.h"
 #include "machine.h"
 #include "measurement.h"
+#include "run_options.h"
 #include "stability.h"
 #include "verdict_times.h"
 #include "work_folder.h"
@@ -206,7 +207,8 @@ int hold(int argc, char **argv) {
     app.add_option("--jobs", options.jobs, "Hand-ins at the same time (hostile ones: one)")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = exam::parseCommandLine(app, argc, argv))
+        return *code;
     return runExam(options) ? 0 : 1;
 }
 

@@ -50,6 +50,7 @@ public:
         m_done = queue.run(gradings, [this](std::size_t at, const std::string &json) {
             add(m_tasks[at], judge(m_patches[m_tasks[at].patch], parseResults(json)));
         });
+        m_setAside = queue.setAside();
     }
 
     std::vector<PatchRecord> records() const {
@@ -64,6 +65,8 @@ public:
     }
 
     std::size_t done() const { return m_done; }
+
+    const std::vector<std::string> &setAside() const { return m_setAside; }
 
     std::size_t tasks() const { return m_tasks.size(); }
 
@@ -108,6 +111,7 @@ private:
     std::vector<Task> m_tasks;
     std::vector<std::map<std::pair<bool, int>, Judgement>> m_judgements; ///< by patch
     std::size_t m_done = 0;
+    std::vector<std::string> m_setAside;
 };
 
 } // namespace
@@ -130,23 +134,26 @@ int measure(int argc, char **argv) {
         app.add_option("--seeds", options.seeds, "Gradings of each one's own item, further seeds")
             ->check(CLI::Range(0, 10'000))
             ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = parseCommandLine(app, argc, argv))
+        return *code;
 
     catchInterrupts();
+    const std::string commit = commitOf(options.places.project); // later it may be another one
     Measurement measurement(options, verb);
     measurement.run();
     const std::vector<PatchRecord> records = measurement.records();
-    fmt::print("\n{}", summarise(records));
+    const std::string setAside = describeSetAside(measurement.setAside());
+    fmt::print("\n{}{}", summarise(records), setAside);
     if (isInterrupted()) {
         fmt::print(stderr, "interrupted: {} of {} gradings done; call again to go on\n",
                    measurement.done(), measurement.tasks());
         return kInterrupted;
     }
     if (!options.record.empty())
-        replaceSection(options.record, verb, markdown(records, commitOf(options.places.project)));
+        replaceSection(options.record, verb, markdown(records, commit) + setAside);
     const bool right = std::all_of(records.begin(), records.end(),
                                    [](const PatchRecord &record) { return record.asExpected(); });
-    return right ? 0 : 1;
+    return right && setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "grading_queue.h"
 
-namespace CLI {
+namespace CLI { // NOLINT: the library's name
 class App;
 }
 
@@ -24,5 +25,11 @@ struct RunOptions {
 
 /// Adds them, and a footer with the exit codes.
 void addRunOptions(CLI::App &app, RunOptions &options);
+
+/// `--only` and `--record`, which exclude each other: a table is written whole.
+void addOnlyAndRecord(CLI::App &app, std::string &only, std::filesystem::path &record);
+
+/// \return  the exit code if that was all: 0 after `--help`, 2 after a mistake
+std::optional<int> parseCommandLine(CLI::App &app, int argc, char **argv);
 
 } // namespace exam

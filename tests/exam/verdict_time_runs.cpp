@@ -12,9 +12,9 @@
 #include <functional>
 #include <iostream>
 
-#include "grading_queue.h"
 #include "hand_in.h"
 #include "patch.h"
+#include "run_options.h"
 #include "summary.h"
 #include "verdict_times.h"
 
@@ -124,17 +124,47 @@ void prepareCache(const Options &options, const fs::path &folder, const fs::path
                 {seedOf(0), ""}, kProcesses, scratch);
 }
 
-VerdictTime measure(const Options &options, const TimedHandIn &handIn, const ItemClock &clock,
-                    const fs::path &scratch) {
+VerdictTime measure(const Options &options, const TimedHandIn &handIn, int attempt,
+                    const ItemClock &clock, const fs::path &scratch) {
     fs::create_directories(scratch);
     const fs::path folder = handIn.compose(scratch);
-    makeNew(folder, handIn.name);
+    makeNew(folder, fmt::format("{} {}", handIn.name, attempt));
     VerdictTime time{handIn.name, handIn.isRight, {}, {}};
     time.phases =
         phasesOf(gradeToJson(options.norigrade, folder, {seedOf(0), ""}, kProcesses, scratch));
     if (!handIn.isRight)
         time.items = clock.measure(folder, handIn.name, seedOf(0));
     return time;
+}
+
+/// \return  nothing if the grader itself fails again and again
+std::optional<VerdictTime> tryToMeasure(const Options &options, const TimedHandIn &handIn,
+                                        const ItemClock &clock, const fs::path &work) {
+    std::optional<VerdictTime> time;
+    for (int attempt = 0; attempt < kTries && !time && !isInterrupted(); ++attempt) {
+        const fs::path scratch = work / fmt::format("attempt{}", attempt);
+        try {
+            time = measure(options, handIn, attempt, clock, scratch);
+        } catch (const InfraError &error) {
+            fmt::print(stderr, "{}: {}\n", handIn.name, error.what());
+        }
+        std::error_code ignored;
+        fs::remove_all(scratch, ignored);
+    }
+    return time;
+}
+
+void print(const VerdictTime &time) {
+    fmt::print("{:<48} {:<14} {:6.1f} s\n", time.name, time.kind(), time.phases.at("total"));
+    for (const ItemTime &item : time.items)
+        fmt::print("    {:<20} {}{:.2f} s of sampling, {:.2f} of CPU; judging {:.2f}; {} {:.2f}\n",
+                   item.item,
+                   item.isGross ? fmt::format("gross after {:.2f} s, {:.2f} of CPU; ",
+                                              item.decidedWall, item.decidedCpu)
+                                : "",
+                   item.samplingWall, item.samplingCpu, item.judgingCpu, item.slowest,
+                   item.slowestCpu);
+    std::cout << std::flush;
 }
 
 } // namespace
@@ -146,58 +176,49 @@ int measureVerdictTimes(int argc, char **argv) {
                  "./run verdict-times");
     app.add_option("--project", options.project, "The project's folder")->required();
     app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
-    app.add_option("--only", options.only, "Only those with this text in their name")
-        ->option_text("TEXT");
+    addOnlyAndRecord(app, options.only, options.record);
     app.add_option("--count", options.count,
                    "Hand-ins of each kind: tests/submissions/accepted, wrong, and subtle ones")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_option("--record", options.record, "Write the table into this Markdown file")
-        ->option_text("FILE");
     app.footer("Times are measured anew in every call.\nExit codes: 0 every grossly wrong item is "
                "decided in time, 1 some are not, 2 usage, 75 interrupted.");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = parseCommandLine(app, argc, argv))
+        return *code;
 
     catchInterrupts();
+    const std::string commit = commitOf(options.project); // later it may be another one
     const std::vector<TimedHandIn> handIns = findHandIns(options);
     const WorkFolder work;
     prepareCache(options, work.path(), work.path() / "base");
     const ItemClock clock;
     std::vector<VerdictTime> times;
+    std::vector<std::string> unmade;
     const auto start = std::chrono::steady_clock::now();
     for (const TimedHandIn &handIn : handIns) {
+        const std::optional<VerdictTime> time = tryToMeasure(options, handIn, clock, work.path());
         if (isInterrupted())
             break;
-        const fs::path scratch = work.path() / fmt::format("{}", times.size());
-        times.push_back(measure(options, handIn, clock, scratch));
-        std::error_code ignored;
-        fs::remove_all(scratch, ignored);
+        if (time) {
+            times.push_back(*time);
+            print(*time);
+        } else
+            unmade.push_back(handIn.name);
+        const std::size_t done = times.size() + unmade.size();
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        fmt::print("{:<48} {:<14} {:6.1f} s\n", handIn.name, times.back().kind(),
-                   times.back().phases.at("total"));
-        for (const ItemTime &item : times.back().items)
-            fmt::print(
-                "    {:<20} {}{:.2f} s of sampling, {:.2f} of CPU; judging {:.2f}; {} {:.2f}\n",
-                item.item,
-                item.isGross ? fmt::format("gross after {:.2f} s, {:.2f} of CPU; ",
-                                           item.decidedWall, item.decidedCpu)
-                             : "",
-                item.samplingWall, item.samplingCpu, item.judgingCpu, item.slowest,
-                item.slowestCpu);
-        std::cout << std::flush;
         if (isatty(STDERR_FILENO) != 0)
-            std::cerr << fmt::format("{} of {}, {:.0f} min left\n", times.size(), handIns.size(),
-                                     seconds / 60 / static_cast<double>(times.size()) *
-                                         static_cast<double>(handIns.size() - times.size()));
+            std::cerr << fmt::format("{} of {}, {:.0f} min left\n", done, handIns.size(),
+                                     seconds / 60 / static_cast<double>(done) *
+                                         static_cast<double>(handIns.size() - done));
     }
-    fmt::print("\n{}", describeTimes(times));
+    const std::string setAside = describeSetAside(unmade);
+    fmt::print("\n{}{}", describeTimes(times), setAside);
     if (isInterrupted())
         return kInterrupted;
     if (!options.record.empty())
-        replaceSection(options.record, "verdict-times",
-                       timesMarkdown(times, commitOf(options.project)));
-    return lateItems(times).empty() ? 0 : 1;
+        replaceSection(options.record, "verdict-times", timesMarkdown(times, commit) + setAside);
+    return lateItems(times).empty() && setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam
