@@ -47,6 +47,8 @@ std::vector<Change> changesOf(const TomlFile &file, const toml::node &node, bool
         }
         if (change.file.empty() || change.before.empty() != whole)
             file.fail(*table, whole ? "needed: file, text" : "needed: file, old, new");
+        if (!whole && change.before == change.after)
+            file.fail(*table, "old and new are the same: nothing would change");
         changes.push_back(std::move(change));
     }
     return changes;

@@ -66,6 +66,17 @@ TEST_F(Patches, do_not_apply_where_the_text_is_gone_or_there_twice) {
     EXPECT_THROW(applied(read("what = \"w\"\nbase = \"accepted/none\"\n"), ""), ExamError);
 }
 
+TEST_F(Patches, refuse_a_change_that_changes_nothing) {
+    try {
+        read(kHead + kDisk + change("42"));
+        ADD_FAILURE() << "not refused";
+    } catch (const ExamError &error) {
+        EXPECT_NE(std::string(error.what()).find("one.toml:5: old and new are the same"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(Patches, end_lines_as_windows_does) {
     const std::string text = applied(read(kHead + "crlf = true\n"), "src/warp.cpp");
     EXPECT_NE(text.find("NORI_NAMESPACE_BEGIN\r\n"), std::string::npos);
