@@ -29,6 +29,12 @@ std::string safeName(const std::string &name, std::size_t number) {
 
 constexpr char kStagedHeaders[] = "/hand-in/include/";
 
+bool takesReference(const VariantPlan &plan) {
+    return std::any_of(plan.origins.begin(), plan.origins.end(), [](const auto &each) {
+        return each.second == Origin::Reference || each.second == Origin::ReferenceValue;
+    });
+}
+
 Files submittedHeaders(const Submission &submission) {
     Files headers;
     for (const SubmittedFile &file : submission.files) {
@@ -68,24 +74,24 @@ void parallelFor(std::size_t count, int jobs, const std::function<void(std::size
 VariantBuilder::VariantBuilder(Compiler &compiler, const Submission &submission, int jobs)
     : m_compiler(compiler),
       m_jobs(jobs),
-      m_headers(overlayHeaders(starterBase().headers, submittedHeaders(submission))) {
-    for (const auto &[name, text] : m_headers.files)
-        m_headerNames[kStagedHeaders + name] = name;
+      m_headers{overlayHeaders(starterBase().headers, submittedHeaders(submission)), {}} {
+    for (const auto &[name, text] : m_headers.set.files)
+        m_headers.names[kStagedHeaders + name] = name;
     for (const SubmittedFile &file : submission.files) {
         m_hasHeaders = m_hasHeaders || file.role == FileRole::Header;
         if (file.role == FileRole::Header)
-            m_headerNames[kStagedHeaders + ("nori/" + file.name)] = file.path;
+            m_headers.names[kStagedHeaders + ("nori/" + file.name)] = file.path;
         else if (file.role == FileRole::Source)
             m_sources[file.name] = {file.name, file.path, file.bytes};
         else if (file.role == FileRole::Extra)
             m_extras.push_back({safeName(file.name, m_extras.size()), file.path, file.bytes});
         else
             continue;
-        for (const std::string &spelling : addForwards(file.bytes, m_headers))
+        for (const std::string &spelling : addForwards(file.bytes, m_headers.set))
             m_notes.push_back({Note::Level::Odd, file.path,
                                fmt::format("includes \"{}\", which Linux does not find; \"{}\" was "
                                            "taken",
-                                           spelling, m_headers.forwards.at(spelling))});
+                                           spelling, m_headers.set.forwards.at(spelling))});
     }
 }
 
@@ -102,20 +108,21 @@ std::optional<BuildFailure> VariantBuilder::failureOf(const std::string &unit) {
     const UnitSource *source = studentSource(unit);
     if (source == nullptr)
         return std::nullopt;
-    Built built = m_compiler.compile(*source, m_headers, m_headerNames);
+    Built built = m_compiler.compile(*source, m_headers.set, m_headers.names);
     if (auto *failure = std::get_if<BuildFailure>(&built))
         return std::move(*failure);
     return std::nullopt;
 }
 
-VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Origin origin) {
+VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Origin origin,
+                                                   const Headers &headers) {
     const auto text = [&](const Files &files) -> const std::string * {
         const auto found = files.find(unit);
         return found != files.end() ? &found->second : nullptr;
     };
     if (origin == Origin::Student) {
         if (const UnitSource *source = studentSource(unit))
-            return {unit, m_compiler.compile(*source, m_headers, m_headerNames)};
+            return {unit, m_compiler.compile(*source, headers.set, headers.names)};
         origin = Origin::Starter;
     }
     const std::string *source =
@@ -128,22 +135,24 @@ VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Orig
         origin == Origin::ReferenceValue ? "#define NORI_SAMPLE_RETURNS_VALUE 1\n#line 1\n" : "";
     std::string flat = unit;
     std::replace(flat.begin(), flat.end(), '/', '_');
-    return {unit, m_compiler.compile({flat, "the base's " + unit, define + *source}, m_headers,
-                                     m_headerNames)};
+    return {unit, m_compiler.compile({flat, "the base's " + unit, define + *source}, headers.set,
+                                     headers.names)};
 }
 
 std::vector<VariantBuilder::Object>
-VariantBuilder::compileUnits(const std::vector<std::pair<std::string, Origin>> &units) {
+VariantBuilder::compileUnits(const std::vector<std::pair<std::string, Origin>> &units,
+                             const Headers &headers) {
     std::vector<Object> objects(units.size());
-    parallelFor(units.size(), m_jobs,
-                [&](std::size_t i) { objects[i] = compileUnit(units[i].first, units[i].second); });
+    parallelFor(units.size(), m_jobs, [&](std::size_t i) {
+        objects[i] = compileUnit(units[i].first, units[i].second, headers);
+    });
     return objects;
 }
 
-std::vector<std::filesystem::path> VariantBuilder::extraObjects() {
+std::vector<std::filesystem::path> VariantBuilder::extraObjects(const Headers &headers) {
     std::vector<std::filesystem::path> objects;
     for (const UnitSource &extra : m_extras) {
-        const Built built = m_compiler.compile(extra, m_headers, m_headerNames);
+        const Built built = m_compiler.compile(extra, headers.set, headers.names);
         if (const auto *object = std::get_if<std::filesystem::path>(&built))
             objects.push_back(*object);
     }
@@ -157,10 +166,10 @@ std::optional<BuildFailure> VariantBuilder::brokenBase() {
             units.push_back(unit);
     }
     for (const std::string &unit : units) {
-        const Object object = compileUnit(unit, Origin::Starter);
+        const Object object = compileUnit(unit, Origin::Starter, m_headers);
         const auto *failure = std::get_if<BuildFailure>(&object.built);
         const bool matters = failure != nullptr && !isPlugin(unit);
-        if (matters && (!hasUnit(unit) || failureOf(unit)))
+        if (matters && !hasUnit(unit))
             return *failure;
     }
     return std::nullopt;
@@ -176,7 +185,7 @@ void VariantBuilder::compileAll(const std::function<void(double fraction)> &prog
         units.emplace_back(unit, Origin::Starter);
     std::atomic<std::size_t> done{0};
     parallelFor(units.size(), m_jobs, [&](std::size_t i) {
-        compileUnit(units[i].first, units[i].second);
+        compileUnit(units[i].first, units[i].second, m_headers);
         progress(static_cast<double>(++done) / static_cast<double>(units.size()));
     });
     // What does not need headers that break everything is judged without them.
@@ -185,13 +194,10 @@ void VariantBuilder::compileAll(const std::function<void(double fraction)> &prog
                            "The base's own headers were taken, because it does not compile with "
                            "those of the hand-in: " +
                                failure->describe()});
-        for (const auto &[name, text] : starterBase().headers) {
-            m_headers.files[name] = text;
-            m_headerNames[kStagedHeaders + name] = name;
-        }
+        m_headers = withBaseHeaders();
     }
     for (const UnitSource &extra : m_extras) {
-        Built built = m_compiler.compile(extra, m_headers, m_headerNames);
+        Built built = m_compiler.compile(extra, m_headers.set, m_headers.names);
         if (auto *failure = std::get_if<BuildFailure>(&built)) {
             failure->unit = std::filesystem::path(extra.shownName).filename().string();
             m_notes.push_back(
@@ -203,7 +209,30 @@ void VariantBuilder::compileAll(const std::function<void(double fraction)> &prog
     }
 }
 
+VariantBuilder::Headers VariantBuilder::withBaseHeaders() const {
+    Headers headers = m_headers;
+    for (const auto &[name, text] : starterBase().headers) {
+        headers.set.files[name] = text;
+        headers.names[kStagedHeaders + name] = name;
+    }
+    return headers;
+}
+
 Variant VariantBuilder::build(const VariantPlan &plan) {
+    Variant variant = build(plan, m_headers);
+    const bool isFaithful = variant.executable && (variant.isWhole || !takesReference(plan));
+    if (isFaithful || !m_hasHeaders)
+        return variant;
+    // What judges one file needs none of the others' headers, unless that file does.
+    Variant withBase = build(plan, withBaseHeaders());
+    const bool judgesIt = std::none_of(
+        withBase.failures.begin(), withBase.failures.end(), [&](const BuildFailure &failure) {
+            return std::count(plan.judged.begin(), plan.judged.end(), failure.unit) != 0;
+        });
+    return withBase.executable && judgesIt ? withBase : variant;
+}
+
+Variant VariantBuilder::build(const VariantPlan &plan, const Headers &headers) {
     std::vector<std::pair<std::string, Origin>> units;
     for (const auto &[unit, text] : probeUnits())
         units.emplace_back(unit, Origin::Starter);
@@ -218,17 +247,19 @@ Variant VariantBuilder::build(const VariantPlan &plan) {
     variant.name = plan.name;
     std::vector<std::filesystem::path> objects;
     bool linkable = true;
-    for (Object &object : compileUnits(units)) {
-        auto *failure = std::get_if<BuildFailure>(&object.built);
-        if (failure != nullptr) {
+    for (Object &object : compileUnits(units, headers)) {
+        const auto planned = plan.origins.find(object.unit);
+        const bool isStudents = planned != plan.origins.end() && planned->second == Origin::Student;
+        if (const auto *failure = std::get_if<BuildFailure>(&object.built)) {
             variant.failures.push_back(*failure);
+            variant.isWhole = variant.isWhole && isStudents;
             // A student's file that does not compile costs only what it holds: the starter's
-            // stands in, where there is one. One of the base that a changed header breaks is
+            // stands in, where there is one. One of ours that a changed header breaks is
             // replaced by the student's own; if there is none, a plugin (a new pure virtual) is
             // left out, and scenes that need it will say so.
-            const bool isStudents = plan.origins.count(object.unit) != 0;
             if (hasUnit(object.unit))
-                object = compileUnit(object.unit, isStudents ? Origin::Starter : Origin::Student);
+                object = compileUnit(object.unit, isStudents ? Origin::Starter : Origin::Student,
+                                     headers);
             if (std::holds_alternative<BuildFailure>(object.built)) {
                 linkable = linkable && isPlugin(object.unit);
                 continue;
@@ -240,7 +271,7 @@ Variant VariantBuilder::build(const VariantPlan &plan) {
     }
     if (!linkable)
         return variant;
-    Built built = m_compiler.link(objects, extraObjects());
+    Built built = m_compiler.link(objects, extraObjects(headers));
     if (auto *failure = std::get_if<BuildFailure>(&built))
         variant.failures.push_back(std::move(*failure));
     else

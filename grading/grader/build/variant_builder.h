@@ -25,6 +25,7 @@ enum class Origin {
 struct VariantPlan {
     std::string name; ///< for reports: `student`, `reference warp and mesh`
     std::map<std::string, Origin> origins;
+    std::vector<std::string> judged = {}; ///< units of the hand-in that nothing may stand in for
 };
 
 /// A probe that was built from parts.
@@ -32,6 +33,9 @@ struct Variant {
     std::string name;
     std::optional<std::filesystem::path> executable;
     std::vector<BuildFailure> failures; ///< of any file that the plan asked for, and of the link
+    /// False if a file of ours does not compile with the hand-in's headers, so that the program has
+    /// the hand-in's own or none: it fails for more than the files that the plan takes from it.
+    bool isWhole = true;
 };
 
 /// Builds probes from one hand-in. Thread-safe.
@@ -51,7 +55,8 @@ public:
     bool hasHeaders() const { return m_hasHeaders; }
 
     /// Compiles every file of the hand-in, on all jobs, so that the rest only links. Headers with
-    /// which the base does not compile are left out from then on.
+    /// which the base does not compile are left out from then on, unless it is in a file that the
+    /// hand-in has, and only got wrong.
     void compileAll(const std::function<void(double fraction)> &progress);
 
     /// What was built around: forwarded includes, base files left out, extra files.
@@ -63,18 +68,25 @@ private:
         Built built;
     };
 
-    Object compileUnit(const std::string &unit, Origin origin);
-    std::vector<Object> compileUnits(const std::vector<std::pair<std::string, Origin>> &units);
-    std::vector<std::filesystem::path> extraObjects();
+    struct Headers {
+        HeaderSet set;
+        std::map<std::string, std::string> names; ///< staged path to what people call it
+    };
+
+    Object compileUnit(const std::string &unit, Origin origin, const Headers &headers);
+    std::vector<Object> compileUnits(const std::vector<std::pair<std::string, Origin>> &units,
+                                     const Headers &headers);
+    std::vector<std::filesystem::path> extraObjects(const Headers &headers);
+    Variant build(const VariantPlan &plan, const Headers &headers);
+    Headers withBaseHeaders() const;
     const UnitSource *studentSource(const std::string &unit) const;
     std::optional<BuildFailure> brokenBase();
 
     Compiler &m_compiler;
     int m_jobs;
-    HeaderSet m_headers; ///< the base's with the hand-in's laid over
+    Headers m_headers; ///< the base's with the hand-in's laid over
     bool m_hasHeaders = false;
-    std::map<std::string, std::string> m_headerNames; ///< staged path to what people call it
-    std::map<std::string, UnitSource> m_sources;      ///< of the hand-in, by base name
+    std::map<std::string, UnitSource> m_sources; ///< of the hand-in, by base name
     std::vector<UnitSource> m_extras;
     std::vector<Note> m_notes;
     mutable std::mutex m_mutex; ///< of m_notes

@@ -175,7 +175,10 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
 }
 
 CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first) {
-    const bool excusable = upstreamAtFault(group);
+    const Variant &own = variant(studentPlan(group), group);
+    // Its own files compile, or there would be no checks: another one holds up the program.
+    const bool isHeldUp = !own.executable && own.failures.back().unit != "link";
+    const bool excusable = isHeldUp || upstreamAtFault(group);
     // The integrator and the emitters may each be right and yet not agree on who divides by the
     // density: then nothing upstream is charged, and the disagreement is the integrator's.
     const bool mayDisagree = group.id == "direct_ems" && first.verdict == Verdict::Fail;
@@ -183,8 +186,11 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         return first;
     CheckResult best = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
+    bool replaced = false;   // what it stands on
     for (const VariantPlan &plan : followThroughPlans(group)) {
-        CheckResult result = runOn(check, variant(plan, group));
+        const Variant &built = variant(plan, group);
+        replaced = replaced || (built.executable && built.isWhole);
+        CheckResult result = runOn(check, built);
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
         if (best.verdict == Verdict::Pass) {
@@ -193,6 +199,10 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
             break;
         }
     }
+    if (excusable && !replaced && isAtFault(best.verdict))
+        best = withVerdict(check, Verdict::Human,
+                           "Other files of the hand-in are wrong, and ours cannot stand for them, "
+                           "as they do not compile with its headers.");
     if (excusable)
         return best;
     if (onlyChoice) {

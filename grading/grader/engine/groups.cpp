@@ -24,7 +24,7 @@ std::set<std::string> upstreamUnits(const Group &group) {
 }
 
 VariantPlan planOf(const std::string &name, const Group &group, Origin upstream, Origin scene) {
-    VariantPlan plan{name, {}};
+    VariantPlan plan{name, {}, group.own};
     for (const std::string &unit : upstreamUnits(group))
         plan.origins[unit] = unit == kSceneUnit ? scene : upstream;
     for (const std::string &unit : group.own)

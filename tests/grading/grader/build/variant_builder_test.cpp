@@ -144,6 +144,35 @@ TEST_F(VariantBuilderTest, TakesTheHandInsOwnFileWhereItsHeaderBreaksTheBases) {
     EXPECT_TRUE(builder.build({"student", {{"warp.cpp", Origin::Student}}}).executable.has_value());
 }
 
+/// emitter.h with one more pure virtual, which our area.cpp does not have.
+SubmittedFile strictEmitterHeader() {
+    std::string text = starterBase().headers.at("nori/emitter.h");
+    const std::size_t at = text.find("virtual Color3f eval(");
+    text.insert(at, "virtual int kind() const = 0;\n    ");
+    return {"src/emitter.h", "emitter.h", FileRole::Header, "", text};
+}
+
+TEST_F(VariantBuilderTest, LeavesOutHeadersThatOursDoesNotGoWithWhereTheJudgedFileNeedsNone) {
+    Compiler compiler(s_sandbox, s_cache);
+    const Submission submission =
+        handIn({source("direct_ems.cpp", referenceUnit("direct_ems.cpp")), strictEmitterHeader()});
+    VariantBuilder builder(compiler, submission, 2);
+    VariantPlan plan{"ours",
+                     {{"area.cpp", Origin::Reference}, {"direct_ems.cpp", Origin::Student}},
+                     {"direct_ems.cpp"}};
+    Variant variant = builder.build(plan);
+    EXPECT_TRUE(variant.executable.has_value());
+    EXPECT_TRUE(variant.isWhole);
+    EXPECT_TRUE(variant.failures.empty());
+    // A judged file that needs them keeps them, and what is missing is told.
+    const Submission needing = handIn(
+        {source("direct_ems.cpp", referenceUnit("direct_ems.cpp") +
+                                      "int f(const nori::Emitter &e) { return e.kind(); }\n"),
+         strictEmitterHeader()});
+    VariantBuilder other(compiler, needing, 2);
+    EXPECT_FALSE(other.build(plan).isWhole);
+}
+
 TEST_F(VariantBuilderTest, LinksExtraFilesOnlyWhereTheyAreNeeded) {
     Compiler compiler(s_sandbox, s_cache);
     std::string warp = referenceUnit("warp.cpp");
