@@ -74,7 +74,7 @@ const std::vector<std::string> &catchAlls() {
         "mesh.uv_wrong",
         "mesh.pdf_factor",
         "area.texture_uv",
-        "area.pdf_factor",
+        "area.pdf_wrong",
         "area.value_wrong",
         "area.wi_wrong",
         "environment.not_uniform",

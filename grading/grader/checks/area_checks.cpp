@@ -31,9 +31,9 @@ struct LightScene {
 
 enum class Light { Plain, VertexNormals, Scaled, Textured, Curved, WithoutUv };
 
-/// Half the cells of the texture are bright; cells are squares of 1/4 in uv.
+/// Half the cells of the texture are bright; cells are 1/4 by 1/6 in uv.
 constexpr char kTexture[] = R"(<texture type="checker" name="radiance">
-      <integer name="scalex" value="4"/><integer name="scaley" value="4"/></texture>)";
+      <integer name="scalex" value="4"/><integer name="scaley" value="6"/></texture>)";
 
 LightScene makeLight(Light kind, std::uint64_t seed) {
     SceneRandom random(seed);

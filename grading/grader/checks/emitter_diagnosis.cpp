@@ -20,6 +20,8 @@ struct KnownLaw {
 };
 
 /// Powers of the ratio to distance^2 / (area * cosine).
+constexpr double kLeastFit = 0.8; ///< of a constant factor
+
 constexpr KnownLaw kLaws[] = {
     {1, -2, "area.pdf_area_measure"},  {0, -1, "area.pdf_distance_not_squared"},
     {1, 0, "area.pdf_cosine_missing"}, {2, -4, "area.pdf_reciprocal"},
@@ -86,7 +88,7 @@ std::vector<Guess> guessAreaDensity(const std::vector<DensityRatio> &ratios) {
             usable.push_back(row);
     }
     if (usable.size() < ratios.size() / 2 || usable.size() < 8)
-        return {{"area.pdf_factor", kVagueFit}};
+        return {{"area.pdf_wrong", kVagueFit}};
     const Vector3d powers = fitPowers(usable);
     const int cosine = static_cast<int>(std::lround(powers[1]));
     const int distance = static_cast<int>(std::lround(powers[2]));
@@ -103,6 +105,11 @@ std::vector<Guess> guessAreaDensity(const std::vector<DensityRatio> &ratios) {
     });
     const double fit = part(static_cast<std::size_t>(explained), ratios.size());
     std::vector<Guess> guesses;
+    // A factor of 1 for most, or one that is not the same for all, is none.
+    const bool isNoLaw =
+        cosine == 0 && distance == 0 && (fit < kLeastFit || std::abs(constant - 1) <= kTolerance);
+    if (isNoLaw)
+        return {{"area.pdf_wrong", kVagueFit}};
     for (const KnownLaw &law : kLaws) {
         if (law.cosinePower == cosine && law.distancePower == distance)
             guesses.push_back({law.diagnosis, fit});
@@ -111,7 +118,7 @@ std::vector<Guess> guessAreaDensity(const std::vector<DensityRatio> &ratios) {
         guesses.push_back({"area.pdf_cosine_power", 0.9 * fit});
     if (guesses.empty() || (distance != 0 && cosine != 0))
         guesses.push_back({"area.pdf_distance_power", 0.8 * fit});
-    guesses.push_back({"area.pdf_factor", kVagueFit});
+    guesses.push_back({"area.pdf_wrong", kVagueFit});
     return guesses;
 }
 
