@@ -50,14 +50,23 @@ probe::Values answer(const protocol::Request &request, probe::SceneStore &scenes
     case Op::MeshSample:
     case Op::MeshDensity:
         return probe::answerMesh(request, scenes.get(request.text));
-    case Op::EmitterSample:
+    case Op::EmitterSample: {
+        const nori::Scene &scene = scenes.get(request.text);
+        return probe::answerOnThreads(
+            request, protocol::kEmitterSampleInput, request.repeats,
+            [&](const protocol::Request &part) { return probe::answerEmitter(part, scene); });
+    }
     case Op::EmitterEval:
     case Op::EmitterPick:
         return probe::answerEmitter(request, scenes.get(request.text));
     case Op::Radiance:
         return probe::answerRadiance(request, scenes.getPrepared(request.text));
-    case Op::Image:
-        return probe::answerImage(request, scenes.getPrepared(request.text));
+    case Op::Image: {
+        nori::Scene &scene = scenes.getPrepared(request.text);
+        return probe::answerOnThreads(
+            request, 1, request.index + 1,
+            [&](const protocol::Request &part) { return probe::answerImage(part, scene); });
+    }
     case Op::Film:
         return probe::answerFilm(request, scenes.getPrepared(request.text));
     case Op::SceneFacts:

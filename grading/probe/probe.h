@@ -4,6 +4,7 @@
 #include <nori/scene.h>
 #include <protocol/request.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -46,6 +47,13 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene);
 Values answerImage(const protocol::Request &request, nori::Scene &scene);
 Values answerFilm(const protocol::Request &request, nori::Scene &scene);
 Values answerFacts(const nori::Scene &scene);
+
+/// Splits the rows of a request among threads that start at the same time.
+/// \param rowSize  floats of a row, none of which depends on another row
+/// \param threads  at most 16 are started
+/// \throws whatever `answer` throws in the first thread that threw
+Values answerOnThreads(const protocol::Request &request, std::size_t rowSize, std::uint32_t threads,
+                       const std::function<Values(const protocol::Request &)> &answer);
 
 // Reading and writing rows of floats. Call append() by its full name: for an argument of a type of
 // Nori's, a function `append` of the submission's would be looked up as well.

@@ -8,6 +8,7 @@
 #include <pcg32.h>
 
 #include <stdexcept>
+#include <thread>
 
 namespace probe {
 
@@ -25,7 +26,8 @@ std::uint64_t mix(std::uint64_t z) {
 /// scene share their noise.
 class RaySampler : public nori::Sampler {
 public:
-    RaySampler() { m_sampleCount = 1; }
+    /// \param giveWay  lets another thread run before each number, in the middle of the integrator
+    explicit RaySampler(bool giveWay = false) : m_giveWay(giveWay) { m_sampleCount = 1; }
 
     void startRay(std::uint64_t seed, std::uint64_t ray) {
         m_random.seed(mix(seed ^ mix(ray)), mix(ray ^ mix(seed)));
@@ -41,9 +43,13 @@ public:
 
     void advance() override {}
 
-    float next1D() override { return m_random.nextFloat(); }
+    float next1D() override {
+        giveWay();
+        return m_random.nextFloat();
+    }
 
     nori::Point2f next2D() override {
+        giveWay();
         // As constructor arguments, the compiler would choose the order.
         const float x = m_random.nextFloat();
         const float y = m_random.nextFloat();
@@ -53,6 +59,12 @@ public:
     std::string toString() const override { return "RaySampler[]"; }
 
 private:
+    void giveWay() const {
+        if (m_giveWay)
+            std::this_thread::yield();
+    }
+
+    bool m_giveWay;
     pcg32 m_random;
 };
 
@@ -111,7 +123,7 @@ Values answerRadiance(const protocol::Request &request, nori::Scene &scene) {
 Values answerImage(const protocol::Request &request, nori::Scene &scene) {
     const View view(scene);
     const int width = view.width();
-    RaySampler sampler;
+    RaySampler sampler(request.index > 0);
     Values values;
     values.reserve(request.resultSize());
     for (const float value : request.values) {

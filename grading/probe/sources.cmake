@@ -2,5 +2,5 @@
 # a submission's files. Paths are below grading/.
 set(NORI_PROBE_SOURCES
     probe/emitter_probe.cpp probe/main.cpp probe/mesh_probe.cpp probe/radiance_probe.cpp
-    probe/scene_store.cpp probe/warp_probe.cpp
+    probe/scene_store.cpp probe/threads.cpp probe/warp_probe.cpp
     protocol/encoding.cpp protocol/request.cpp protocol/slots.cpp)

@@ -26,7 +26,6 @@ constexpr WarpShape kWarps[] = {
 
 constexpr std::uint32_t kSampleSize = 2;
 constexpr std::uint32_t kPointSize = 3;
-constexpr std::uint32_t kEmitterSampleInput = 6;
 constexpr std::uint32_t kEmitterEvalInput = 11;
 constexpr std::uint32_t kRaySize = 6;
 constexpr std::uint32_t kFilmPointSize = 2;

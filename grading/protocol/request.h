@@ -27,7 +27,7 @@ enum class Op : std::uint32_t {
     /// (3),
     /// sample (2), optional_u -> [n, 21]: returned value (3), then of the record after the call
     /// p (3), n (3), uv (2), wi (3), dist, pdf; then Emitter::pdf(record), Emitter::eval(record)
-    /// (3), and 1 if record.emitter is this emitter (else 0).
+    /// (3), and 1 if record.emitter is this emitter (else 0). repeats: threads that share the rows.
     EmitterSample,
     /// text, index as above; values: [n, 11]: ref, p, n (3 each), uv (2), from which the record is
     /// made by its five-argument constructor -> [n, 4]: eval (3), pdf.
@@ -45,7 +45,8 @@ enum class Op : std::uint32_t {
     /// text: scene file; values: pixels [n], row by row from the top left one of the scene's
     /// camera;
     /// repeats k; seed -> Integrator::Li [n, k, 3] through points uniform in each pixel (a box
-    /// filter). The sampler is seeded anew for each pixel from (seed, the pixel).
+    /// filter). The sampler is seeded anew for each pixel from (seed, the pixel). index: threads
+    /// that share the pixels, but for one; if any, each gives way before every number it draws.
     Image,
     /// text: scene file; values: points [n, 2] of the scene's camera's image, in pixels from its
     /// top left corner; repeats k; seed -> Integrator::Li [n, k, 3]. The sampler is seeded anew
@@ -56,6 +57,7 @@ enum class Op : std::uint32_t {
 constexpr std::uint32_t kPlanarDimension = 2;
 constexpr std::uint32_t kDirectionDimension = 3;
 constexpr std::uint32_t kMeshSampleSize = 8;
+constexpr std::uint32_t kEmitterSampleInput = 6;
 constexpr std::uint32_t kEmitterSampleSize = 21;
 constexpr std::uint32_t kEmitterEvalSize = 4;
 constexpr std::uint32_t kEmitterPickSize = 3;

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "check_groups.h"
+#include "thread_check.h"
 
 namespace grader {
 
@@ -286,6 +287,21 @@ CheckResult judgeBehind(CheckContext &context) {
                      {{"area.behind_not_black", 0.8}});
 }
 
+CheckResult judgeSharedState(CheckContext &context) {
+    constexpr int kTimes = 32; // so many samples that threads meet
+    const LightScene light = makeLight(Light::Plain, context.seed("light"));
+    protocol::RequestGroup group =
+        emitterSampleRequest(light.scene, 0, light.front, context.seed("samples"));
+    std::vector<float> &values = group.requests[0].values;
+    const std::vector<float> once = values;
+    for (int i = 1; i < kTimes; ++i)
+        values.insert(values.end(), once.begin(), once.end());
+    group.requests.push_back(group.requests[0]);
+    group.requests[1].repeats = kThreads;
+    return compareThreads(context, std::move(group), "numbers of samples of the light",
+                          "area.shared_state");
+}
+
 Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
     Check check;
     check.id = std::string("area.") + name;
@@ -343,6 +359,7 @@ std::vector<Check> areaChecks() {
         row("textured", "A textured light has the radiance of its texture coordinates.",
             eval(Light::Textured)),
         row("without_uv", "A light without texture coordinates works.", eval(Light::WithoutUv)),
+        row("threads", "Threads do not disturb each other.", judgeSharedState),
         row("scale", "The property `scale` multiplies the radiance.", eval(Light::Scaled)),
         row("record_fields", "sample sets the record's pdf and emitter.",
             [](CheckContext &context) {

@@ -51,8 +51,8 @@ protocol::RequestGroup groupOf(const TestScene &scene, protocol::Request request
 
 } // namespace
 
-EmitterAnswer askEmitterSamples(CheckContext &context, const TestScene &scene, int emitter,
-                                const std::vector<Vector3d> &refs, std::uint64_t seed) {
+protocol::RequestGroup emitterSampleRequest(const TestScene &scene, int emitter,
+                                            const std::vector<Vector3d> &refs, std::uint64_t seed) {
     SceneRandom random(seed);
     protocol::Request request;
     request.op = protocol::Op::EmitterSample;
@@ -61,8 +61,13 @@ EmitterAnswer askEmitterSamples(CheckContext &context, const TestScene &scene, i
         for (int i = 0; i < 3; ++i)
             request.values.push_back(random.nextFloat());
     }
+    return groupOf(scene, std::move(request), emitter);
+}
+
+EmitterAnswer askEmitterSamples(CheckContext &context, const TestScene &scene, int emitter,
+                                const std::vector<Vector3d> &refs, std::uint64_t seed) {
     EmitterAnswer result;
-    const ProbeAnswer answer = context.ask(groupOf(scene, std::move(request), emitter));
+    const ProbeAnswer answer = context.ask(emitterSampleRequest(scene, emitter, refs, seed));
     result.failure = unanswered(answer);
     if (result.failure)
         return result;

@@ -30,6 +30,10 @@ struct EmitterAnswer {
     std::optional<CheckResult> failure; ///< set when there is nothing to judge
 };
 
+/// What askEmitterSamples() asks.
+protocol::RequestGroup emitterSampleRequest(const TestScene &scene, int emitter,
+                                            const std::vector<Vector3d> &refs, std::uint64_t seed);
+
 /// Samples an emitter from reference points, `refs` each with fresh random numbers.
 EmitterAnswer askEmitterSamples(CheckContext &context, const TestScene &scene, int emitter,
                                 const std::vector<Vector3d> &refs, std::uint64_t seed);

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "check_groups.h"
+#include "thread_check.h"
 
 namespace grader {
 
@@ -152,6 +153,17 @@ CheckResult judgeSampler(CheckContext &context) {
     return result;
 }
 
+/// Each pixel has the same numbers from the sampler, whoever computes it.
+CheckResult judgeThreads(CheckContext &context) {
+    constexpr int kAgain = 16;
+    const std::uint64_t seed = context.seed("image");
+    protocol::RequestGroup group = {
+        imageTemplate("box").fill(context.seed("scene")),
+        {imageRequest("", kAgain, seed), imageRequest("", kAgain, seed)}};
+    group.requests[1].index = kThreads - 1;
+    return compareThreads(context, std::move(group), "samples of an image", "ems.shared_state");
+}
+
 Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)) {
     Check check;
     check.id = std::string("direct_ems.") + name;
@@ -172,6 +184,7 @@ std::vector<Check> noiseChecks() {
         row("independence", "Samples are independent, and the error is what their noise says.",
             judgeIndependence),
         row("sampler", "All random numbers come from the sampler.", judgeSampler),
+        row("threads", "Threads do not disturb each other.", judgeThreads),
         row("method", "The noise is that of one sample of one light.", judgeMethod),
     };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <nori/emitter.h>
 #include <nori/integrator.h>
+#include <nori/sampler.h>
 
 #include <cstdlib>
 #include <string>
@@ -73,8 +74,35 @@ private:
     float m_count = 0.0f;
 };
 
+/// Three numbers of the sampler, or what a member that all threads share has become of them.
+class DrawingIntegrator : public Integrator {
+public:
+    DrawingIntegrator(const PropertyList &, bool shares = false) : m_shares(shares) {}
+
+    Color3f Li(const Scene *, Sampler *sampler, const Ray3f &) const override {
+        Color3f own;
+        Color3f &drawn = m_shares ? m_drawn : own;
+        for (int i = 0; i < 3; ++i)
+            drawn[i] = sampler->next1D();
+        return drawn;
+    }
+
+    std::string toString() const override { return "DrawingIntegrator[]"; }
+
+private:
+    bool m_shares;
+    mutable Color3f m_drawn;
+};
+
+class SharingIntegrator : public DrawingIntegrator {
+public:
+    SharingIntegrator(const PropertyList &props) : DrawingIntegrator(props, true) {}
+};
+
 } // namespace
 
+NORI_REGISTER_CLASS(DrawingIntegrator, "drawing")
+NORI_REGISTER_CLASS(SharingIntegrator, "sharing")
 NORI_REGISTER_CLASS(FaultyEmitter, "faulty")
 NORI_REGISTER_CLASS(FaultyIntegrator, "faulty_integrator")
 NORI_REGISTER_CLASS(CountingIntegrator, "counting")

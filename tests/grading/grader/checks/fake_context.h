@@ -26,7 +26,9 @@ public:
     }
 
     std::uint64_t seed(std::string_view purpose, int stage, int replicate) const override {
-        return std::hash<std::string>()(std::string(purpose)) + 1000003u * stage + replicate;
+        return std::hash<std::string>()(std::string(purpose)) +
+               std::uint64_t{1000003} * static_cast<unsigned>(stage) +
+               static_cast<unsigned>(replicate);
     }
 
     int asked = 0;
