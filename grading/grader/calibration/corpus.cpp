@@ -105,6 +105,9 @@ void applyChange(const CorpusCase &which, const TextChange &change, const fs::pa
     const fs::path file = folder / change.file;
     std::string text = readTextFile(file);
     const std::size_t at = text.find(change.before);
+    if (change.before == change.after)
+        throw GraderError(fmt::format("{}: a change of {} changes nothing: {}", which.name,
+                                      change.file, change.before));
     if (change.before.empty() || at == std::string::npos ||
         text.find(change.before, at + 1) != std::string::npos)
         throw GraderError(fmt::format("{}: a text to change is not in {} exactly once: {}",
