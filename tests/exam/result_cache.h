@@ -13,8 +13,7 @@ class ResultCache {
 public:
     /// \param folder     made if it is not there
     /// \param dependsOn  files and folders that every result depends on: the grader, its rubric,
-    /// and
-    ///                   what it reads when it runs
+    ///                   and what it reads when it runs
     ResultCache(std::filesystem::path folder, const std::vector<std::filesystem::path> &dependsOn);
 
     /// Name of a result. \param question  seed and items

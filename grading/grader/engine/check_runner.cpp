@@ -24,13 +24,15 @@ constexpr BoxLimits kProbeLimits = {.cpu = std::chrono::seconds(20),
 class RunnerContext : public CheckContext {
 public:
     /// \param interrupted  may be null; every question asks it, as checks ask many
+    /// \param known        what our own program has answered to this check
     RunnerContext(const Sandbox &sandbox, const std::atomic<bool> *interrupted,
                   std::filesystem::path student, std::filesystem::path reference,
-                  std::string seedText, std::string digest)
+                  ReferenceAnswers &known, std::string seedText, std::string digest)
         : m_sandbox(sandbox),
           m_interrupted(interrupted),
           m_student(std::move(student)),
           m_reference(std::move(reference)),
+          m_known(known),
           m_seedText(std::move(seedText)),
           m_digest(std::move(digest)) {}
 
@@ -39,7 +41,11 @@ public:
     }
 
     ProbeAnswer askReference(const protocol::RequestGroup &group) override {
-        return askOne(m_reference, group);
+        if (const ProbeAnswer *answer = m_known.find(group))
+            return *answer;
+        ProbeAnswer answer = askOne(m_reference, group);
+        m_known.keep(group, answer);
+        return answer;
     }
 
     /// The first stage is the same for every hand-in of a run, fair and reproducible; later ones
@@ -65,6 +71,7 @@ private:
     const std::atomic<bool> *m_interrupted;
     std::filesystem::path m_student;
     std::filesystem::path m_reference;
+    ReferenceAnswers &m_known;
     std::string m_seedText;
     std::string m_digest;
     double m_sampleSeconds = 0;
@@ -132,7 +139,8 @@ bool CheckRunner::upstreamAtFault(const Group &group) const {
                        [&](const std::string &id) { return m_atFault.count(id) != 0; });
 }
 
-CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
+CheckResult CheckRunner::runOn(const Check &check, const Variant &variant,
+                               ReferenceAnswers &known) {
     const std::string key = check.id + "/" + variant.name;
     {
         const std::lock_guard<std::mutex> lock(m_mutex);
@@ -140,13 +148,14 @@ CheckResult CheckRunner::runOn(const Check &check, const Variant &variant) {
         if (found != m_measured.end())
             return found->second;
     }
-    CheckResult result = measure(check, variant);
+    CheckResult result = measure(check, variant, known);
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_measured.emplace(key, result);
     return result;
 }
 
-CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
+CheckResult CheckRunner::measure(const Check &check, const Variant &variant,
+                                 ReferenceAnswers &known) {
     if (!variant.executable) {
         const BuildFailure failure =
             variant.failures.empty() ? BuildFailure{} : variant.failures.back();
@@ -159,7 +168,7 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
         return result;
     }
     RunnerContext context(m_sandbox, m_options.interrupted, *variant.executable, m_referenceProbe,
-                          m_options.seedHex + "|" + check.id, m_digest);
+                          known, m_options.seedHex + "|" + check.id, m_digest);
     CheckResult result;
     try {
         result = check.run(context);
@@ -174,7 +183,8 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant) {
     return result;
 }
 
-CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first) {
+CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first,
+                                ReferenceAnswers &known) {
     const Variant &own = variant(studentPlan(group), group);
     // Its own files compile, or there would be no checks: another one holds up the program.
     const bool isHeldUp = !own.executable && own.failures.back().unit != "link";
@@ -190,7 +200,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     for (const VariantPlan &plan : followThroughPlans(group)) {
         const Variant &built = variant(plan, group);
         replaced = replaced || (built.executable && built.isWhole);
-        CheckResult result = runOn(check, built);
+        CheckResult result = runOn(check, built, known);
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
         if (best.verdict == Verdict::Pass) {
@@ -265,11 +275,12 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
     std::string endless = endlessUpstream ? "code that this needs does not end." : "";
     std::vector<Verdict> own(checks.size());
     const auto run = [&](std::size_t i) {
+        ReferenceAnswers known;
         CheckResult first = endless.empty()
-                                ? runOn(*checks[i], variant(studentPlan(group), group))
+                                ? runOn(*checks[i], variant(studentPlan(group), group), known)
                                 : withVerdict(*checks[i], Verdict::Timeout, "Not run: " + endless);
         own[i] = first.verdict;
-        results[i] = follow(*checks[i], group, std::move(first));
+        results[i] = follow(*checks[i], group, std::move(first), known);
         checkDone();
     };
     if (!checks.empty())

@@ -3,6 +3,7 @@
 
 #include <grader/engine/engine.h>
 #include <grader/engine/groups.h>
+#include <grader/engine/reference_answers.h>
 
 #include <map>
 #include <mutex>
@@ -40,9 +41,10 @@ public:
     double sampleSeconds() const { return m_sampleSeconds; }
 
 private:
-    CheckResult runOn(const Check &check, const Variant &variant);
-    CheckResult measure(const Check &check, const Variant &variant);
-    CheckResult follow(const Check &check, const Group &group, CheckResult first);
+    CheckResult runOn(const Check &check, const Variant &variant, ReferenceAnswers &known);
+    CheckResult measure(const Check &check, const Variant &variant, ReferenceAnswers &known);
+    CheckResult follow(const Check &check, const Group &group, CheckResult first,
+                       ReferenceAnswers &known);
     const Variant &variant(const VariantPlan &plan, const Group &group);
     bool upstreamAtFault(const Group &group) const;
 
