@@ -1,48 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <grader/checks/direct_ems_diagnosis.h>
 #include <grader/checks/direct_ems_experiments.h>
-#include <grader/checks/image_scene.h>
+#include <grader/checks/radiance_case.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "check_groups.h"
+#include "radiance_check.h"
+#include "room.h"
 
 namespace grader {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kColumns = 16;
-
-/// Generic numbers everywhere: equal lights, unit areas and distances, grey surfaces and frames
-/// along the axes hide mistakes (statistics.md §5, 18).
-struct Room {
-    explicit Room(std::uint64_t seed)
-        : random(seed),
-          pose(random.rigid(1.5)),
-          albedo(random.color(0.3, 0.8)),
-          floor(parallelogram({-1.1, -0.9, 0}, {2.1, 0, 0}, {0, 1.9, 0}).transformed(pose)) {
-        scene.addMesh(floor, albedo);
-    }
-
-    /// A parallelogram light above the floor that shines down on it.
-    TestMesh lightMesh(const Vector3d &center, double width, double depth) const {
-        const Vector3d a(width, 0.2 * width, 0.1 * width);
-        const Vector3d b(-0.1 * depth, -depth, 0.15 * depth);
-        return parallelogram(center - 0.5 * a - 0.5 * b, a, b).transformed(pose);
-    }
-
-    Vector3d world(const Vector3d &local) const {
-        return (pose * local).cast<float>().cast<double>();
-    }
-
-    SceneRandom random;
-    Eigen::Isometry3d pose;
-    Vector3d albedo;
-    TestMesh floor;
-    TestScene scene;
-};
 
 Vector3d reflectedFromPoint(const Room &room, const Vector3d &point, const Vector3d &light,
                             const Vector3d &intensity) {
@@ -59,16 +31,9 @@ Vector3d reflectedFromPolygon(const Room &room, const Vector3d &point, const Tes
     return room.albedo.cwiseProduct(radiance) * (irradiance / kPi);
 }
 
-RadianceCase onFloor(Room &room) {
-    RadianceCase test;
-    test.columns = kColumns;
-    test.rays = raysOnto(room.floor, kColumns, 0.35, room.random);
-    return test;
-}
-
 RadianceCase pointLights(std::uint64_t seed) {
     Room room(seed);
-    RadianceCase test = onFloor(room);
+    RadianceCase test = room.onFloor();
     test.expected.assign(test.rays.size(), Vector3d::Zero());
     constexpr int kLights = 5;
     test.diagnoses.lightCount = kLights;
@@ -105,7 +70,7 @@ RadianceCase areaLight(std::uint64_t seed, double scale) {
     Room room(seed);
     const Vector3d radiance = room.random.color(3, 9);
     const TestMesh light = room.lightMesh({0.2, -0.1, 1.3}, 0.9, 0.55);
-    RadianceCase test = onFloor(room);
+    RadianceCase test = room.onFloor();
     std::vector<LitPoint> points;
     for (const TestRay &ray : test.rays) {
         points.push_back({hitPoint(ray, room.floor), room.floor.geometricNormal(0), room.albedo});
@@ -135,7 +100,7 @@ RadianceCase areaLight(std::uint64_t seed, double scale) {
 
 RadianceCase manyLights(std::uint64_t seed) {
     Room room(seed);
-    RadianceCase test = onFloor(room);
+    RadianceCase test = room.onFloor();
     test.expected.assign(test.rays.size(), Vector3d::Zero());
     const double sizes[] = {0.25, 0.6, 0.4};
     for (int i = 0; i < 3; ++i) {
@@ -170,7 +135,7 @@ RadianceCase background(std::uint64_t seed) {
     RadianceCase test;
     const Vector3d up = room.floor.geometricNormal(0);
     const Vector3d origin = room.world({0, 0, 0.5});
-    while (test.rays.size() < static_cast<std::size_t>(kColumns) * 4) {
+    while (test.rays.size() < static_cast<std::size_t>(Room::kColumns) * 4) {
         const Vector3d direction = room.random.direction();
         if (direction.dot(up) > 0.1)
             test.rays.push_back({origin, direction.cast<float>().cast<double>()});
@@ -188,7 +153,7 @@ RadianceCase visibleLight(std::uint64_t seed, bool fromBehind) {
     const TestMesh light = room.lightMesh({0.2, -0.1, 1.3}, 0.9, 0.55);
     room.scene.addLight(light, {0, 0, 0}, {.radiance = radiance, .scale = {}, .texture = {}});
     RadianceCase test;
-    test.rays = raysOnto(light, kColumns, fromBehind ? -0.6 : 0.6, room.random);
+    test.rays = raysOnto(light, Room::kColumns, fromBehind ? -0.6 : 0.6, room.random);
     test.expected.assign(test.rays.size(), fromBehind ? Vector3d::Zero().eval() : radiance);
     test.files = room.scene.files();
     test.repeats = 16;
@@ -212,7 +177,7 @@ RadianceCase reflectingLight(std::uint64_t seed) {
     room.scene.addLight(room.floor, room.albedo,
                         {.radiance = radiance, .scale = {}, .texture = {}});
     room.scene.addPointLight(position, intensity);
-    RadianceCase test = onFloor(room);
+    RadianceCase test = room.onFloor();
     test.diagnoses.hypotheses = {{"ems.reflection_dropped", {}}, {"ems.visible_light_missing", {}}};
     for (const TestRay &ray : test.rays) {
         const Vector3d reflected =
@@ -223,31 +188,6 @@ RadianceCase reflectingLight(std::uint64_t seed) {
     }
     test.diagnoses.other = "ems.reflection_dropped";
     test.files = room.scene.files();
-    return test;
-}
-
-/// A wall so far away that its shadow is lost when the environment is taken to be at a finite
-/// distance.
-RadianceCase farShadow(std::uint64_t seed) {
-    Room room(seed);
-    RadianceCase test = onFloor(room);
-    const TestMesh wall =
-        parallelogram({-9000, -9000, 3000}, {0, 18000, 0}, {18000, 0, 0}).transformed(room.pose);
-    const Vector3d radiance(1.3, 1.1, 0.9);
-    room.scene.addMesh(wall, {0.5, 0.5, 0.5});
-    room.scene.addEnvironment(radiance);
-    Hypothesis unshadowed{"ems.far_shadow", {}};
-    for (const TestRay &ray : test.rays) {
-        const double hidden = polygonIrradiance(hitPoint(ray, room.floor),
-                                                room.floor.geometricNormal(0), wall.positions) /
-                              kPi;
-        test.expected.emplace_back(room.albedo.cwiseProduct(radiance) * (1 - hidden));
-        unshadowed.expected.emplace_back(room.albedo.cwiseProduct(radiance));
-    }
-    test.diagnoses.hypotheses = {std::move(unshadowed)};
-    test.files = room.scene.files();
-    test.repeats = 8192;
-    test.passBound = 0.03;
     return test;
 }
 
@@ -264,8 +204,8 @@ RadianceCase nearShadow(std::uint64_t seed) {
         {0.4, 0.5, 0.6});
     room.scene.addPointLight(room.world(light), intensity);
     RadianceCase test;
-    test.columns = kColumns;
-    while (test.rays.size() < static_cast<std::size_t>(kColumns) * 16) {
+    test.columns = Room::kColumns;
+    while (test.rays.size() < static_cast<std::size_t>(Room::kColumns) * 16) {
         const Vector3d point(room.random.uniform(-1, 0.9), room.random.uniform(-0.8, 0.9), 0);
         const Vector3d atPlate = point + kHeight / light.z() * (light - point);
         if (std::abs(atPlate.x()) < kUnsure)
@@ -283,75 +223,29 @@ RadianceCase nearShadow(std::uint64_t seed) {
     return test;
 }
 
-RadianceCase image(const char *name, std::uint64_t seed, int repeats) {
-    return imageCase(imageTemplate(name).fill(seed), repeats);
-}
-
-using Experimenter = std::vector<Guess> (*)(CheckContext &);
-
-constexpr double kGross = 0.05; ///< of the radiance that is asked about
-
-/// \param experiment  made after a failure, for the diagnosis
-Check row(const char *name, const char *what, RadianceCase (*make)(std::uint64_t),
-          Experimenter experiment = nullptr, double gross = kGross) {
-    Check check;
-    check.id = std::string("direct_ems.") + name;
-    check.item = "direct_ems";
-    check.group = "direct_ems";
-    check.what = what;
-    check.tolerance = 0.002;
-    check.gross = gross;
-    check.evidence = Evidence::Images;
-    check.locks = kRadianceLocks;
-    check.run = [=](CheckContext &context) {
-        CheckResult result = judgeRadiance(context, make(context.seed("scene")));
-        if (result.verdict == Verdict::Fail && experiment != nullptr) {
-            std::vector<Guess> found = experiment(context);
-            found.insert(found.end(), result.diagnoses.begin(), result.diagnoses.end());
-            result.diagnoses = std::move(found);
-        }
-        return result;
-    };
-    return check;
-}
-
 } // namespace
 
 std::vector<Check> directEmsChecks() {
     return {
-        row("point_lights", "Five coloured point lights add up to the closed form.", pointLights),
-        row("area_light", "A parallelogram light gives Lambert's formula.",
-            [](std::uint64_t seed) { return areaLight(seed, 1); }),
-        row("many_lights", "Three area and two point lights together give the closed form.",
-            manyLights),
-        row(
-            "shadow", "A room with blocks and a light looks as in our own estimator.",
-            [](std::uint64_t seed) { return image("box", seed, 256); }, experimentWithOneLight),
-        row(
-            "scene", "A table under five lights looks as in our own estimator.",
-            [](std::uint64_t seed) { return image("table", seed, 256); }, experimentWithOneLight),
-        row(
+        radianceCheck("point_lights", "Five coloured point lights add up to the closed form.",
+                      pointLights),
+        radianceCheck("area_light", "A parallelogram light gives Lambert's formula.",
+                      [](std::uint64_t seed) { return areaLight(seed, 1); }),
+        radianceCheck("many_lights",
+                      "Three area and two point lights together give the closed form.", manyLights),
+        radianceCheck(
             "visible_light", "A light that is seen shows its radiance.",
             [](std::uint64_t seed) { return visibleLight(seed, false); }, experimentWithSides),
-        row(
-            "environment", "An environment map lights a scene as in our own estimator.",
-            [](std::uint64_t seed) {
-                RadianceCase test = image("sky", seed, 512);
-                test.tilePassBound = 0.25;
-                return test;
-            },
-            experimentWithOneLight),
-        row("background", "Where nothing is hit, the environment is seen.", background),
-        row(
+        radianceCheck("background", "Where nothing is hit, the environment is seen.", background),
+        radianceCheck(
             "light_behind", "A light seen from behind is dark.",
             [](std::uint64_t seed) { return visibleLight(seed, true); }, experimentWithSides),
-        row("reflecting_light", "A light reflects what another light sends.", reflectingLight,
-            nullptr, kGross * kReflectedShare),
-        row("large_scene", "A scene in units 300 times smaller gives the same image.",
-            [](std::uint64_t seed) { return areaLight(seed, 300); }),
-        row("far_shadow", "A wall thousands of units away still hides the environment.", farShadow),
-        row("near_shadow", "A plate close above a surface hides the light.", nearShadow,
-            experimentWithOneLight),
+        radianceCheck("reflecting_light", "A light reflects what another light sends.",
+                      reflectingLight, nullptr, kGrossRadiance * kReflectedShare),
+        radianceCheck("large_scene", "A scene in units 300 times smaller gives the same image.",
+                      [](std::uint64_t seed) { return areaLight(seed, 300); }),
+        radianceCheck("near_shadow", "A plate close above a surface hides the light.", nearShadow,
+                      experimentWithOneLight),
     };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the noise of an image says: whether samples are independent, whether the error is what they
-// promise, where its numbers come from, and by which method they were made.
+// promise, and by which method they were made.
 #include <grader/checks/answer.h>
 #include <grader/checks/image_noise.h>
 #include <grader/checks/image_scene.h>
@@ -9,12 +9,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "check_groups.h"
-#include "thread_check.h"
 
 namespace grader {
 
@@ -126,44 +123,6 @@ CheckResult judgeMethod(CheckContext &context) {
     return result;
 }
 
-/// One image twice in one process with the same numbers of the sampler, compared bit for bit.
-CheckResult judgeSampler(CheckContext &context) {
-    constexpr int kAgain = 16;
-    const std::uint64_t seed = context.seed("image");
-    const protocol::RequestGroup group = {
-        imageTemplate("box").fill(context.seed("scene")),
-        {imageRequest("", kAgain, seed), imageRequest("", kAgain, seed)}};
-    const ProbeAnswer answer = context.ask(group);
-    if (auto failure = unanswered(answer))
-        return *failure;
-    const std::vector<float> &first = answer.responses[0].values;
-    const std::vector<float> &second = answer.responses[1].values;
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < first.size(); ++i)
-        other += std::bit_cast<std::uint32_t>(first[i]) != std::bit_cast<std::uint32_t>(second[i])
-                     ? 1
-                     : 0;
-    const double part = static_cast<double>(other) / static_cast<double>(first.size());
-    CheckResult result = makeResult(other == 0 ? Verdict::Pass : Verdict::Fail,
-                                    fmt::format("With the same numbers from the sampler {:.2g} % "
-                                                "of the samples come out differently.",
-                                                100 * part),
-                                    {{"ems.own_random_numbers"}});
-    result.effect = part;
-    return result;
-}
-
-/// Each pixel has the same numbers from the sampler, whoever computes it.
-CheckResult judgeThreads(CheckContext &context) {
-    constexpr int kAgain = 16;
-    const std::uint64_t seed = context.seed("image");
-    protocol::RequestGroup group = {
-        imageTemplate("box").fill(context.seed("scene")),
-        {imageRequest("", kAgain, seed), imageRequest("", kAgain, seed)}};
-    group.requests[1].index = kThreads - 1;
-    return compareThreads(context, std::move(group), "samples of an image", "ems.shared_state");
-}
-
 Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)) {
     Check check;
     check.id = std::string("direct_ems.") + name;
@@ -183,8 +142,6 @@ std::vector<Check> noiseChecks() {
     return {
         row("independence", "Samples are independent, and the error is what their noise says.",
             judgeIndependence),
-        row("sampler", "All random numbers come from the sampler.", judgeSampler),
-        row("threads", "Threads do not disturb each other.", judgeThreads),
         row("method", "The noise is that of one sample of one light.", judgeMethod),
     };
 }
