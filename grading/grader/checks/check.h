@@ -16,7 +16,8 @@ namespace grader {
 /// ask() asks the variant under test: the student's part, and upstream parts as the engine chose.
 class CheckContext : public ProbeClient {
 public:
-    /// Asks our own complete implementation the same.
+    /// Asks our own complete implementation the same. It may have answered this to the same check
+    /// before: then the answer, with its outcome, is that of then.
     virtual ProbeAnswer askReference(const protocol::RequestGroup &group) = 0;
 
     /// A seed that depends on the run, the check, and these, and on nothing else.

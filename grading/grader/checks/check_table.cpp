@@ -7,7 +7,7 @@ namespace grader {
 
 const std::vector<Check> &checkTable() {
     static const std::vector<Check> table = [] {
-        // Within an item, what takes hundredths of a second comes before what takes seconds: a
+        // Of direct_ems, closed forms and repeated images come before images, which take seconds: a
         // gross mistake is known early.
         std::vector<Check> checks;
         for (auto *group : {warpChecks, meshChecks, areaChecks, environmentChecks, sceneChecks,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes without a closed form, as a camera sees them: judged against our own estimator, which
-// takes most of the time of a grading. The quickest comes first.
+// Scenes without a closed form, as a camera sees them: judged against our own estimator. `shadow`
+// takes most of the samples of a grading, as its dark tiles are noisy, and comes last.
 #include <grader/checks/direct_ems_experiments.h>
 #include <grader/checks/image_scene.h>
 

@@ -3,18 +3,23 @@
 
 #include <grader/checks/radiance_case.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace grader {
 
-constexpr double kGrossRadiance = 0.05; ///< of the radiance that is asked about
+constexpr double kGrossRadiance = 0.05; ///< default of Check::gross, of the radiance asked about
 
+/// Makes the scene from the check's seed for the purpose "scene".
 using CaseMaker = RadianceCase (*)(std::uint64_t seed);
+
+/// Asks the code under test about further scenes, to name its mistake.
 using Experimenter = std::vector<Guess> (*)(CheckContext &);
 
 /// A row of the item `direct_ems` that judges what Li is on average.
 /// \param name        without the item's
-/// \param experiment  made after a failure, for the diagnosis
+/// \param experiment  made after a failure; may be null
+/// \param gross       Check::gross
 Check radianceCheck(const char *name, const char *what, CaseMaker make,
                     Experimenter experiment = nullptr, double gross = kGrossRadiance);
 

@@ -41,6 +41,7 @@ public:
     }
 
     ProbeAnswer askReference(const protocol::RequestGroup &group) override {
+        stopIfInterrupted();
         if (const ProbeAnswer *answer = m_known.find(group))
             return *answer;
         ProbeAnswer answer = askOne(m_reference, group);
@@ -59,9 +60,13 @@ public:
     double sampleSeconds() const { return m_sampleSeconds; }
 
 private:
-    ProbeAnswer askOne(const std::filesystem::path &probe, const protocol::RequestGroup &group) {
+    void stopIfInterrupted() const {
         if (m_interrupted != nullptr && *m_interrupted)
             throw Interrupted();
+    }
+
+    ProbeAnswer askOne(const std::filesystem::path &probe, const protocol::RequestGroup &group) {
+        stopIfInterrupted();
         ProbeAnswer answer = askProbe(m_sandbox, probe, group, kProbeLimits);
         m_sampleSeconds += answer.outcome.wallSeconds;
         return answer;

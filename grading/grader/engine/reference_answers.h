@@ -9,15 +9,16 @@
 
 namespace grader {
 
-/// What our own program answered while a check was run on the hand-in. Where it failed, the same
-/// questions are asked for every variant that follows the mistake through, and our answers, three
-/// quarters of the sampling, are the same.
+/// What our own program answered while one check is run on one hand-in. Where that fails, the same
+/// is asked for every variant that follows the mistake through, and our answers are the same: of an
+/// image, three quarters of all samples. For one thread.
 class ReferenceAnswers {
 public:
-    /// \return  nullptr if this was not asked before, or not kept
+    /// \return  lives as long as this object; nullptr if this was not asked before, or not kept
     const ProbeAnswer *find(const protocol::RequestGroup &group) const;
 
-    /// Keeps complete answers until they fill 64 MiB; those of longer looks are asked for again.
+    /// Keeps a complete answer whose floats fit into what is left of 64 MiB: five of an image's
+    /// seven looks. The others are asked for again.
     void keep(const protocol::RequestGroup &group, const ProbeAnswer &answer);
 
 private:

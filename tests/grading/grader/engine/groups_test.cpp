@@ -62,5 +62,16 @@ TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
     EXPECT_EQ(findCheck("no.such.check"), nullptr);
 }
 
+TEST(Checks, OfDirectEmsThatTakeSecondsComeAfterTheQuickOnes) {
+    const auto place = [](const char *name) {
+        return findCheck(std::string("direct_ems.") + name) - checkTable().data();
+    };
+    const std::ptrdiff_t images = std::min({place("scene"), place("environment"), place("shadow")});
+    for (const char *quick : {"point_lights", "area_light", "many_lights", "visible_light",
+                              "background", "light_behind", "near_shadow", "sampler", "threads"})
+        EXPECT_LT(place(quick), images) << quick;
+    EXPECT_LT(images, place("far_shadow"));
+}
+
 } // namespace
 } // namespace grader

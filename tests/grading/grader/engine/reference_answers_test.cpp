@@ -28,7 +28,7 @@ ProbeAnswer answer(std::size_t floats, protocol::State state = protocol::State::
 
 } // namespace
 
-TEST(ReferenceAnswers, give_what_was_answered_to_the_very_same_question) {
+TEST(ReferenceAnswers, AreForTheVerySameQuestion) {
     ReferenceAnswers known;
     EXPECT_EQ(known.find(question(1)), nullptr);
     known.keep(question(1), answer(12));
@@ -38,15 +38,24 @@ TEST(ReferenceAnswers, give_what_was_answered_to_the_very_same_question) {
     protocol::RequestGroup other = question(1);
     other.files[0].bytes = "<scene />";
     EXPECT_EQ(known.find(other), nullptr);
+    other = question(1);
+    other.requests[0].repeats = 4;
+    EXPECT_EQ(known.find(other), nullptr);
+    other = question(1);
+    other.requests[0].values[1] = 2;
+    EXPECT_EQ(known.find(other), nullptr);
+    other = question(1);
+    other.requests.push_back(other.requests[0]);
+    EXPECT_EQ(known.find(other), nullptr);
 }
 
-TEST(ReferenceAnswers, keep_no_failure) {
+TEST(ReferenceAnswers, KeepNoFailure) {
     ReferenceAnswers known;
     known.keep(question(1), answer(0, protocol::State::Threw));
     EXPECT_EQ(known.find(question(1)), nullptr);
 }
 
-TEST(ReferenceAnswers, keep_64_MiB_and_no_more) {
+TEST(ReferenceAnswers, Keep64MiBAndNoMore) {
     constexpr std::size_t kMiB = (std::size_t{1} << 20) / sizeof(float);
     ReferenceAnswers known;
     known.keep(question(1), answer(40 * kMiB));
