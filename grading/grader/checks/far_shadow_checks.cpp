@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The shadow of a wall far away: it covers most directions, so that many samples are needed, and
-// wrong code takes longer here than with images.
+// wrong code takes about as long here as with an image.
 #include <numbers>
 
 #include "check_groups.h"
