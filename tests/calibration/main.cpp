@@ -35,14 +35,17 @@ int calibrate(int argc, char **argv) {
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     app.add_option("--stages", options.stages,
-                   "So many whole judgements of correct code per scene instead: how often the "
-                   "first stage rejects")
+                   "So many whole judgements of correct code per scene or check instead: how often "
+                   "the first stage rejects")
         ->check(CLI::Range(1, 1000000));
-    app.add_option("--only", options.only, "With --power: mistakes with this in their names")
+    app.add_option(
+           "--only", options.only,
+           "With --power: mistakes with this in their names; with --stages: cells, images or "
+           "noise alone")
         ->type_name("TEXT");
     CLI11_PARSE(app, argc, argv);
     if (options.stages > 0) {
-        calibration::runStages(options.stages, options.seed);
+        calibration::runStages(options.stages, options.only, options.seed);
         return 0;
     }
     if (!options.power)

@@ -4,45 +4,13 @@
 #include <grader/checks/image_scene.h>
 #include <probe/probe.h>
 
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <array>
-#include <filesystem>
-#include <stdexcept>
+
+#include "work_folder.h"
 
 namespace calibration {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of its own to work in: the probe writes its scene below the working folder.
-class WorkFolder {
-public:
-    WorkFolder() : m_before(fs::current_path()) {
-        std::string name = (fs::temp_directory_path() / "scene-calibration-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error(name + ": cannot be made");
-        m_path = name;
-        fs::current_path(m_path);
-    }
-
-    WorkFolder(const WorkFolder &) = delete;
-    WorkFolder(WorkFolder &&) = delete;
-    WorkFolder &operator=(const WorkFolder &) = delete;
-    WorkFolder &operator=(WorkFolder &&) = delete;
-
-    ~WorkFolder() {
-        std::error_code ignored;
-        fs::current_path(m_before, ignored);
-        fs::remove_all(m_path, ignored);
-    }
-
-private:
-    fs::path m_before;
-    fs::path m_path;
-};
 
 /// Numbers of a sample, five from each random word.
 class SampleNumbers {

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <grader/checks/image_scene.h>
+#include <statistics/binomial.h>
+
+#include <fmt/core.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "contexts.h"
+#include "runs.h"
+
+namespace calibration {
+
+namespace {
+
+constexpr int kJudgementsPerScene = 100; ///< where our renderer answers: loading takes long
+
+/// First stages, and those of them that rejected.
+struct StageCount {
+    std::uint64_t begun = 0;
+    std::uint64_t rejections = 0;
+};
+
+/// What is judged again and again.
+struct Part {
+    std::string name;
+    std::function<grader::CheckResult(grader::CheckContext &)> judge;
+    std::vector<int> firstStages; ///< numbers of those that begin three stages each
+    std::string scene;            ///< whose recorded samples answer; empty: our renderer does
+};
+
+/// One kind of evidence of stage_levels.toml.
+struct Kind {
+    std::string evidence;
+    std::vector<Part> parts;
+};
+
+/// The check itself.
+Part checkPart(const std::string &id, const std::string &scene) {
+    const grader::Check *check = grader::findCheck(id);
+    if (check == nullptr)
+        throw std::runtime_error("there is no check " + id);
+    return {id, check->run, {0}, scene};
+}
+
+std::vector<Kind> kinds() {
+    Kind images{"images", {}};
+    for (const std::string &scene : sceneNames()) {
+        const auto judge = [](grader::CheckContext &context) {
+            return grader::judgeRadiance(context, grader::imageCase({}, 256));
+        };
+        // 0 to 2 judge the whole image, 3 to 5 what stands out of it.
+        images.parts.push_back({scene, judge, {0, 3}, scene});
+    }
+    return {{"cells",
+             {checkPart("mesh.uniform", ""), checkPart("mesh.unequal", ""),
+              checkPart("environment.distribution", "")}},
+            images,
+            {"noise", {checkPart("direct_ems.independence", "box")}}};
+}
+
+/// Answers for one part: right ones, and those of a twin that must be rejected.
+class Answers {
+public:
+    Answers(const Part &part, std::uint64_t seed) : m_seed(seed), m_name(part.name) {
+        if (part.scene.empty())
+            return;
+        m_right.emplace(part.scene, seed);
+        m_wrong.emplace(*m_right);
+        m_wrong->plant([](std::size_t, float *color) {
+            for (int i = 0; i < 3; ++i)
+                color[i] *= 1.2F;
+        });
+    }
+
+    std::unique_ptr<LocalContext> context(int judgement, bool isTwin) {
+        const std::uint64_t seed = seedOf("", judgement);
+        if (m_right)
+            return std::make_unique<RecordedContext>(isTwin ? *m_wrong : *m_right, *m_right, seed);
+        return std::make_unique<OwnContext>(
+            m_scenes, seedOf("/scene", judgement / kJudgementsPerScene), seed, isTwin);
+    }
+
+private:
+    std::uint64_t seedOf(const char *what, int number) const {
+        return statistics::deriveSeed(m_seed, "stages/" + m_name + what, 0,
+                                      static_cast<unsigned>(number));
+    }
+
+    std::uint64_t m_seed;
+    std::string m_name;
+    std::optional<Recording> m_right, m_wrong;
+    LoadedScenes m_scenes;
+};
+
+/// \throws std::runtime_error  if the twin is not rejected, or right code is accused
+StageCount countStages(const Part &part, int judgements, std::uint64_t seed) {
+    Answers answers(part, seed);
+    const std::unique_ptr<LocalContext> twin = answers.context(0, true);
+    part.judge(*twin);
+    if (!twin->hasBegun(1))
+        throw std::runtime_error(part.name + ": what is wrong is not rejected");
+    StageCount count;
+    for (int i = 0; i < judgements; ++i) {
+        const std::unique_ptr<LocalContext> context = answers.context(i, false);
+        const grader::CheckResult result = part.judge(*context);
+        if (result.verdict != grader::Verdict::Pass &&
+            result.verdict != grader::Verdict::Inconclusive)
+            throw std::runtime_error(part.name + ": correct code is accused: " + result.message);
+        for (const int first : part.firstStages) {
+            count.begun += context->hasBegun(first) ? 1 : 0;
+            count.rejections += context->hasBegun(first + 1) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+void runStages(int judgements, const std::string &only, std::uint64_t seed) {
+    fmt::print("Whole judgements of correct code, {} per scene or check: how many first stages "
+               "reject, at a level of 1e-4\n",
+               judgements);
+    for (const Kind &kind : kinds()) {
+        if (kind.evidence.find(only) == std::string::npos)
+            continue;
+        StageCount together;
+        for (const Part &part : kind.parts) {
+            const StageCount count = countStages(part, judgements, seed);
+            together.begun += count.begun;
+            together.rejections += count.rejections;
+            fmt::print("  {:<26} {} of {}\n", part.name, count.rejections, count.begun);
+            std::fflush(stdout);
+        }
+        fmt::print("{}: {} of {} reject, below {:.2g} (one-sided 95 %); for "
+                   "grading/grader/calibration/stage_levels.toml\n",
+                   kind.evidence, together.rejections, together.begun,
+                   statistics::clopperPearson(together.rejections, together.begun, 0.1).upper);
+    }
+}
+
+} // namespace calibration
