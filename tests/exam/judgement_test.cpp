@@ -136,6 +136,27 @@ TEST(Summary, gives_rates_with_their_bounds) {
     EXPECT_NE(text.find("further seeds: gradings as expected: 1 of 2"), std::string::npos);
 }
 
+TEST(Summary, wants_of_each_rate_what_was_promised) {
+    Judgement good;
+    good.asExpected = good.lost = true;
+    good.diagnosisRank = 1;
+    Judgement unnamed = good;
+    unnamed.diagnosisRank = 0;
+    Judgement free = good;
+    free.asExpected = free.lost = false;
+    std::vector<PatchRecord> mutants(20, {patch(Patch::Cost::Visible), {good}, {good}});
+    EXPECT_TRUE(reachesWanted(mutants));
+    mutants[3].whole = {unnamed}; // 95 % within three, 95 % first
+    EXPECT_TRUE(reachesWanted(mutants));
+    mutants[4].whole = {unnamed};
+    EXPECT_FALSE(reachesWanted(mutants));
+    mutants[3].whole = mutants[4].whole = {good};
+    mutants[5].item = {free};
+    EXPECT_FALSE(reachesWanted(mutants)); // 95 %, wanted 98
+    EXPECT_FALSE(reachesWanted({{patch(Patch::Cost::Nothing), {good, free}, {}}}));
+    EXPECT_NE(summarise(mutants).find("; at least 85 % is wanted\n"), std::string::npos);
+}
+
 TEST(Summary, counts_apart_what_a_rate_leaves_out) {
     Judgement good;
     good.asExpected = good.lost = true;

@@ -151,9 +151,7 @@ int measure(int argc, char **argv) {
     }
     if (!options.record.empty())
         replaceSection(options.record, verb, markdown(records, commit) + setAside);
-    const bool right = std::all_of(records.begin(), records.end(),
-                                   [](const PatchRecord &record) { return record.asExpected(); });
-    return right && setAside.empty() ? 0 : 1;
+    return reachesWanted(records) && setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam

@@ -20,7 +20,7 @@ void addRunOptions(CLI::App &app, RunOptions &options) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     app.footer("Results are kept: a second call grades only what has changed.\n"
-               "Exit codes: 0 all as expected, 1 some not, 2 usage, 75 interrupted.");
+               "Exit codes: 0 as it has to be, 1 not, 2 usage, 75 interrupted.");
 }
 
 void addOnlyAndRecord(CLI::App &app, std::string &only, std::filesystem::path &record) {

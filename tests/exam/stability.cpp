@@ -130,12 +130,16 @@ std::map<std::string, VerdictCounts> StabilityRecord::changingChecks() const {
 bool StabilityRecord::asExpected() const {
     const bool steady = standing == Standing::Borderline ? standardDeviation() <= kAllowedDeviation
                                                          : largest() - smallest() <= kRounding;
-    const bool full = standing != Standing::Accepted ||
-                      std::all_of(seeds.begin(), seeds.end(), [](const Graded &graded) {
-                          return std::all_of(graded.items.begin(), graded.items.end(),
-                                             [](const GradedItem &item) { return item.isFull(); });
-                      });
-    return steady && full && onTwo(*this).others.empty() && unoptimised(*this).others.empty();
+    const auto isFull = [](const Graded &graded) {
+        return std::all_of(graded.items.begin(), graded.items.end(),
+                           [](const GradedItem &item) { return item.isFull(); });
+    };
+    const bool full = std::all_of(seeds.begin(), seeds.end(), isFull);
+    const bool lost = std::none_of(seeds.begin(), seeds.end(), isFull);
+    const bool deserved = standing == Standing::Accepted ? full
+                          : standing == Standing::Wrong  ? lost
+                                                         : true;
+    return steady && deserved && onTwo(*this).others.empty() && unoptimised(*this).others.empty();
 }
 
 bool VerdictChange::isHarmless() const {

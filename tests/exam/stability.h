@@ -13,7 +13,7 @@ namespace exam {
 enum class Standing {
     Accepted,   ///< right: every point, always
     Borderline, ///< wrong by what can just be found: points may differ by a little
-    Wrong,      ///< the same points, always
+    Wrong,      ///< the same points, always, and not all of them
 };
 
 /// How often a check said what: by verdict.
@@ -59,7 +59,7 @@ std::string stabilityMarkdown(const std::vector<StabilityRecord> &records,
 
 /// The verb `stability`.
 /// \param argv  from the verb on
-/// \return      the exit code: 0 all as expected, 1 some not, 2 usage, 75 interrupted
+/// \return      the exit code: 0 as it has to be, 1 not, 2 usage, 75 interrupted
 /// \throws ExamError  if the grader fails
 int measureStability(int argc, char **argv);
 

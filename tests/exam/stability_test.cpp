@@ -35,6 +35,7 @@ TEST(Stability, asks_every_point_in_every_grading_of_what_is_right) {
 TEST(Stability, asks_the_same_points_of_what_is_wrong) {
     EXPECT_TRUE(record(Standing::Wrong, {graded(5), graded(5)}).asExpected());
     EXPECT_FALSE(record(Standing::Wrong, {graded(5), graded(5.01)}).asExpected());
+    EXPECT_FALSE(record(Standing::Wrong, {graded(10), graded(10)}).asExpected());
 }
 
 TEST(Stability, allows_what_is_borderline_half_a_point_of_standard_deviation) {

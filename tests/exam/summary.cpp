@@ -16,6 +16,7 @@ namespace {
 /// How often something held.
 struct Rate {
     std::string what;
+    double least = 0; ///< of all, that is wanted
     std::size_t held = 0, all = 0;
 
     void add(bool holds) {
@@ -27,10 +28,16 @@ struct Rate {
         if (all == 0)
             return what + ": not measured";
         const statistics::Interval bounds = statistics::clopperPearson(held, all);
-        return fmt::format("{}: {} of {} = {:.1f} % (95 %: {:.1f} to {:.1f} %)", what, held, all,
-                           100.0 * static_cast<double>(held) / static_cast<double>(all),
-                           100 * bounds.lower, 100 * bounds.upper);
+        return fmt::format("{}: {} of {} = {:.1f} % (95 %: {:.1f} to {:.1f} %){}", what, held, all,
+                           100 * part(), 100 * bounds.lower, 100 * bounds.upper,
+                           least > 0 ? fmt::format("; at least {:.0f} % is wanted", 100 * least)
+                                     : "");
     }
+
+    bool isReached() const { return all == 0 || part() >= least; }
+
+private:
+    double part() const { return static_cast<double>(held) / static_cast<double>(all); }
 };
 
 bool isCatchAll(const std::string &id) {
@@ -38,15 +45,15 @@ bool isCatchAll(const std::string &id) {
 }
 
 std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
-    Rate lost{"mutants that lose points"};
-    Rate exact{"mutants that cost as much as they should, on exactly the right item"};
-    Rate first{"first diagnosis right, of mutants that have one"};
+    Rate lost{"mutants that lose points", 1};
+    Rate exact{"mutants that cost as much as they should, on exactly the right item", 0.98};
+    Rate first{"first diagnosis right, of mutants that have one", 0.85};
     Rate specific{"first diagnosis right, and no catch-all, of the same"};
-    Rate three{"diagnosis right within three"};
-    Rate again{"own item with further seeds: gradings as expected"};
-    Rate remarks{"blemishes that are remarked on and cost nothing"};
-    Rate whole{"gradings of correct variants that lose nothing"};
-    Rate variants{"correct variants that never lose anything"};
+    Rate three{"diagnosis right within three", 0.95};
+    Rate again{"own item with further seeds: gradings as expected", 0.98};
+    Rate remarks{"blemishes that are remarked on and cost nothing", 1};
+    Rate whole{"gradings of correct variants that lose nothing", 1};
+    Rate variants{"correct variants that never lose anything", 1};
     for (const PatchRecord &record : records) {
         const Patch &patch = record.patch;
         for (const Judgement &judgement : record.item)
@@ -134,6 +141,12 @@ bool PatchRecord::asExpected() const {
     };
     return std::all_of(whole.begin(), whole.end(), right) &&
            std::all_of(item.begin(), item.end(), right);
+}
+
+bool reachesWanted(const std::vector<PatchRecord> &records) {
+    const std::vector<Rate> rates = ratesOf(records);
+    return std::all_of(rates.begin(), rates.end(),
+                       [](const Rate &rate) { return rate.isReached(); });
 }
 
 std::string summarise(const std::vector<PatchRecord> &records) {

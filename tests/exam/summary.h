@@ -20,6 +20,9 @@ struct PatchRecord {
 /// apart from them.
 std::string summarise(const std::vector<PatchRecord> &records);
 
+/// Whether every rate is at least what is wanted of it.
+bool reachesWanted(const std::vector<PatchRecord> &records);
+
 /// Rates and a table of all patches, as Markdown.
 std::string markdown(const std::vector<PatchRecord> &records, const std::string &commit);
 

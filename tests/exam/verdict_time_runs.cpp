@@ -31,7 +31,7 @@ struct Options {
     fs::path norigrade;
     fs::path record; ///< Markdown file; empty: none
     std::string only;
-    int count = 8;
+    int count = 12;
 };
 
 struct TimedHandIn {
@@ -65,15 +65,19 @@ std::vector<TimedHandIn> findHandIns(const Options &options) {
                             return compose(submissions, which, norigrade, to);
                         }});
     }
-    for (const char *folder : {"borderline", "mutants"}) {
+    const auto addPatches = [&](const std::string &folder, Patch::Cost cost,
+                                std::vector<TimedHandIn> &to) {
         for (const Patch &patch : findPatches(options.project / "tests" / folder, "")) {
-            if (patch.cost == Patch::Cost::Latent || std::string(folder) == "borderline")
-                subtle.push_back({fmt::format("{}/{}", folder, patch.name), false,
-                                  [submissions, patch](const fs::path &to) {
-                                      return apply(patch, submissions, to);
-                                  }});
+            if (patch.cost == cost)
+                to.push_back({fmt::format("{}/{}", folder, patch.name), false,
+                              [submissions, patch](const fs::path &scratch) {
+                                  return apply(patch, submissions, scratch);
+                              }});
         }
-    }
+    };
+    addPatches("mutants", Patch::Cost::Visible, wrong);
+    addPatches("borderline", Patch::Cost::Visible, subtle);
+    addPatches("mutants", Patch::Cost::Latent, subtle);
     std::vector<TimedHandIn> all;
     for (std::vector<TimedHandIn> *list : {&right, &wrong, &subtle}) {
         std::erase_if(*list, [&](const TimedHandIn &handIn) {
@@ -178,7 +182,8 @@ int measureVerdictTimes(int argc, char **argv) {
     app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
     addOnlyAndRecord(app, options.only, options.record);
     app.add_option("--count", options.count,
-                   "Hand-ins of each kind: tests/submissions/accepted, wrong, and subtle ones")
+                   "Hand-ins of each kind, evenly spaced: right ones, visibly wrong ones of "
+                   "tests/submissions and tests/mutants, and subtly wrong ones")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.footer("Times are measured anew in every call.\nExit codes: 0 every grossly wrong item is "
