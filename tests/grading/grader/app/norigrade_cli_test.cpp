@@ -74,6 +74,63 @@ TEST_F(Norigrade, GradesOneItemAsInAWholeRun) {
     EXPECT_NE(unknown.errors.find("no item \"area\""), std::string::npos) << unknown.errors;
 }
 
+/// A rubric of one item, and a corpus of a right hand-in and a wrong one.
+struct SmallCourse {
+    explicit SmallCourse(const std::filesystem::path &folder)
+        : rubric(folder / "disk.toml"), corpus(folder / "corpus") {
+        std::ofstream(rubric) << "schema = 1\n[assignment]\nid = \"disk\"\ntitle = \"Disk\"\n"
+                                 "cap = 10\nextras = \"ignore\"\nmin_sandbox = \"S2\"\n"
+                                 "[[item]]\nid = \"warp.disk\"\ntitle = \"Disk\"\npoints = 10\n";
+        for (const char *handIn : {"accepted/reference", "wrong/disk_pdf_one"}) {
+            const std::filesystem::path to = corpus / "submissions" / handIn;
+            std::filesystem::create_directories(to.parent_path());
+            std::filesystem::copy(std::filesystem::path(NORI_SOURCE_DIR) / "tests/submissions" /
+                                      handIn,
+                                  to, std::filesystem::copy_options::recursive);
+        }
+    }
+
+    /// A hand-in that is right, whatever is said of it.
+    void addAsWrong(const char *handIn) const {
+        const std::filesystem::path folder = corpus / "submissions/wrong" / handIn;
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder / "expected.toml")
+            << "base = \"accepted/reference\"\nlost = [\"warp.disk\"]\n";
+    }
+
+    std::filesystem::path rubric, corpus;
+};
+
+TEST_F(Norigrade, FreezesARubricThatTellsTheCorpusApart) {
+    const SmallCourse course(m_scratch);
+    const exam::Outcome outcome = run({"calibrate", course.rubric.string(), "--corpus",
+                                       course.corpus.string(), "--freeze", "--class-size", "30"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output << outcome.errors;
+    EXPECT_NE(outcome.output.find("ok   submissions/wrong/disk_pdf_one"), std::string::npos)
+        << outcome.output;
+    EXPECT_NE(outcome.output.find("2 of 2 hand-ins are told apart"), std::string::npos)
+        << outcome.output;
+    EXPECT_NE(outcome.output.find("for 30 hand-ins"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(std::filesystem::exists(course.rubric.string() + ".frozen"));
+}
+
+TEST_F(Norigrade, RefusesToFreezeARubricThatDoesNotAndSaysWhatIsMissing) {
+    const SmallCourse course(m_scratch);
+    course.addAsWrong("nobody_sees_it");
+    const exam::Outcome outcome =
+        run({"calibrate", course.rubric.string(), "--corpus", course.corpus.string(), "--freeze"});
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output << outcome.errors;
+    EXPECT_NE(outcome.output.find("MISS submissions/wrong/nobody_sees_it\n"
+                                  "       the mistake is free: no check of warp.disk finds it, "
+                                  "one is missing"),
+              std::string::npos)
+        << outcome.output;
+    EXPECT_NE(outcome.errors.find("not frozen: the rubric does not tell all hand-ins apart"),
+              std::string::npos)
+        << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(course.rubric.string() + ".frozen"));
+}
+
 TEST_F(Norigrade, SaysWhatIsWrongWithItsArguments) {
     const exam::Outcome missing = run({"grade", (m_scratch / "p2_1_2.zip").string()});
     EXPECT_EQ(missing.exitCode, 2);

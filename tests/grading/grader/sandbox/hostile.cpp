@@ -245,7 +245,7 @@ void callOtherMachines() {
 void lookAround() {
     for (const char *path : {"/etc/passwd", "/etc/shadow", "/proc/self/maps", "/proc/1/environ",
                              "/proc/self/mountinfo", "/sys/kernel", "/root", "/home", "/var",
-                             "/work", "/run", "/usr/local/bin", "/dev/sda", "/dev/mem"}) {
+                             "/srv", "/run", "/usr/local/bin", "/dev/sda", "/dev/mem"}) {
         const int fd = ::open(path, O_RDONLY);
         if (fd >= 0)
             got(path);
