@@ -107,8 +107,9 @@ public:
 
     DensityResult finish(std::size_t domainPoints) {
         if (domainPoints > 0) {
-            m_result.outsideMass =
-                m_outsideSum * m_entry.enlargedMeasure / static_cast<double>(domainPoints);
+            const double perPoint = m_entry.enlargedMeasure / static_cast<double>(domainPoints);
+            m_result.outsideMass = m_outsideSum * perPoint;
+            m_result.outsideSize = m_outsideSize * perPoint;
         }
         if (!m_ratios.empty()) {
             const auto middle = m_ratios.begin() + static_cast<long>(m_ratios.size() / 2);
@@ -128,9 +129,10 @@ private:
             return;
         }
         ++m_result.nonZeroOutside;
-        m_outsideSum += std::isfinite(pdf) ? pdf : 0.0;
         const double size =
             std::isfinite(pdf) ? std::fabs(pdf) : std::numeric_limits<double>::infinity();
+        m_outsideSum += std::isfinite(pdf) ? pdf : 0.0;
+        m_outsideSize += size;
         if (size > m_worstOutside) {
             m_worstOutside = size;
             m_result.worstOutside = index;
@@ -162,6 +164,7 @@ private:
     std::vector<double> m_ratios;
     std::vector<catalog::RatioSample> m_samples;
     double m_outsideSum = 0.0;
+    double m_outsideSize = 0.0;
     double m_worstOutside = 0.0;
 };
 

@@ -45,6 +45,7 @@ struct DensityResult {
     std::size_t nonZeroOutside = 0; ///< of them, where the density is not 0
     std::size_t worstOutside = 0;   ///< index of one of those with the largest |density|
     double outsideMass = 0.0;       ///< integral of the density over what is outside
+    double outsideSize = 0.0;       ///< of its absolute value; infinite where a value is not finite
 
     std::size_t boundaryPoints = 0;
     std::size_t wrongAtBoundary = 0; ///< neither side's value: a remark, since of measure zero

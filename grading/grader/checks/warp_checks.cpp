@@ -250,13 +250,13 @@ CheckResult judgeDensityAt(CheckContext &context, const WarpEntry &warp, double 
     const std::string where = atParameter(warp, parameter);
     CheckResult result;
     if (outside) {
-        const bool right = found.outsideMass <= kToleratedOutsideMass;
+        const bool right = found.outsideSize <= kToleratedOutsideMass;
         result = makeResult(
             right ? Verdict::Pass : Verdict::Fail,
             fmt::format("The density is not 0 at {} of {} points outside of the domain{}.",
                         found.nonZeroOutside, found.outsidePoints, where),
             guessDensity(warp, found, true));
-        result.effect = found.outsideMass;
+        result.effect = std::isfinite(found.outsideSize) ? found.outsideSize : 1;
         return result;
     }
     const bool right = found.rightInside() && found.notFinite == 0 && found.negative == 0;

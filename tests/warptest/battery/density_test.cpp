@@ -60,9 +60,26 @@ TEST(JudgeDensity, MeasuresTheMassOutside) {
     const std::vector<float> everywhere(queries.points.size(), 0.15915494F);
     const auto result = battery::judgeDensity(hemisphere, 0.0, queries, everywhere);
     EXPECT_NEAR(result.outsideMass, 1.0, 0.05);
+    EXPECT_EQ(result.outsideSize, result.outsideMass);
     EXPECT_EQ(result.wrongMass(), 0.0);
     EXPECT_TRUE(result.rightInside());
     EXPECT_FALSE(result.rightOutside());
+}
+
+TEST(JudgeDensity, MeasuresWhatIsNegativeOrInfiniteOutside) {
+    const auto &hemisphere = catalog::requireWarp("hemisphere");
+    const auto queries = battery::densityQueries(hemisphere, 0.0, 3, kQueries);
+    for (const float below : {-0.15915494F, INFINITY, NAN}) {
+        std::vector<float> pdfs;
+        for (const battery::Output &point : queries.points)
+            pdfs.push_back(point.z < 0 ? below : 0.15915494F);
+        const auto result = battery::judgeDensity(hemisphere, 0.0, queries, pdfs);
+        if (std::isfinite(below))
+            EXPECT_NEAR(result.outsideSize, 1.0, 0.05);
+        else
+            EXPECT_EQ(result.outsideSize, INFINITY);
+        EXPECT_TRUE(result.rightInside());
+    }
 }
 
 TEST(JudgeDensity, CountsWhatIsNoDensity) {
