@@ -206,21 +206,13 @@ CheckResult judgeRecord(const LightScene &light, const std::vector<EmitterSample
 }
 
 CheckResult judgeValue(const LightScene &, const std::vector<EmitterSampleRow> &rows) {
-    int wrong = 0;
-    const SampleConvention convention = detectConvention(rows, &wrong);
     std::size_t dark = 0;
     for (const EmitterSampleRow &row : rows)
         dark += row.value.allFinite() && row.value.isZero() ? 1 : 0;
     if (dark == rows.size())
         return judgeRows(dark, rows.size(), "sampled values (all black)",
                          {{"area.side_reversed", 0.7}});
-    CheckResult result =
-        judgeRows(convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0,
-                  rows.size(), "sampled values", guessSampleValue(rows, "area.value_wrong"));
-    if (convention == SampleConvention::Value)
-        result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
-                          "are accepted.";
-    return result;
+    return judgeSampleValue(rows, "area.value_wrong");
 }
 
 /// pdf in solid angle, turned back into area, is 1 / area for every sample (handout, equation 10).

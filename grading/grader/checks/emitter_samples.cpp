@@ -2,6 +2,7 @@
 #include "emitter_samples.h"
 
 #include <grader/checks/answer.h>
+#include <grader/checks/emitter_diagnosis.h>
 
 #include <fmt/core.h>
 
@@ -138,6 +139,20 @@ SampleConvention detectConvention(const std::vector<EmitterSampleRow> &rows, int
     if (asValue >= needed)
         return SampleConvention::Value;
     return asQuotient >= needed ? SampleConvention::ValueOverPdf : SampleConvention::Neither;
+}
+
+CheckResult judgeSampleValue(const std::vector<EmitterSampleRow> &rows, const char *otherwise) {
+    int wrong = 0;
+    const SampleConvention convention = detectConvention(rows, &wrong);
+    CheckResult result =
+        judgeRows(convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0,
+                  rows.size(), "sampled values", guessSampleValue(rows, otherwise));
+    if (convention == SampleConvention::Value)
+        result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
+                          "are accepted.";
+    if (convention == SampleConvention::Value || convention == SampleConvention::ValueOverPdf)
+        result.sampleDivides = convention == SampleConvention::ValueOverPdf;
+    return result;
 }
 
 CheckResult judgeRows(std::size_t wrong, std::size_t total, const std::string &what,

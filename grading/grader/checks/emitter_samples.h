@@ -67,6 +67,10 @@ enum class SampleConvention { Value, ValueOverPdf, Either, Neither };
 /// \param wrong  if not null, set to the number of rows that break the best one
 SampleConvention detectConvention(const std::vector<EmitterSampleRow> &rows, int *wrong = nullptr);
 
+/// Judges that Emitter::sample's value follows one of the conventions, and tells which.
+/// \param otherwise  id of the diagnosis where no known mistake fits
+CheckResult judgeSampleValue(const std::vector<EmitterSampleRow> &rows, const char *otherwise);
+
 /// A deterministic judgement over rows: Pass if nothing is wrong, else Fail with the part of the
 /// rows that is.
 CheckResult judgeRows(std::size_t wrong, std::size_t total, const std::string &what,

@@ -80,15 +80,7 @@ CheckResult judgeDirections(const std::vector<EmitterSampleRow> &rows) {
 }
 
 CheckResult judgeValue(const std::vector<EmitterSampleRow> &rows) {
-    int wrong = 0;
-    const SampleConvention convention = detectConvention(rows, &wrong);
-    CheckResult result =
-        judgeRows(convention == SampleConvention::Neither ? static_cast<std::size_t>(wrong) : 0,
-                  rows.size(), "sampled values", guessSampleValue(rows, "environment.value_wrong"));
-    if (convention == SampleConvention::Value)
-        result.message += " It returns the bare radiance; the header asks for radiance / pdf, both "
-                          "are accepted.";
-    return result;
+    return judgeSampleValue(rows, "environment.value_wrong");
 }
 
 CheckResult judgeEval(CheckContext &context, bool constant) {

@@ -144,6 +144,10 @@ bool CheckRunner::upstreamAtFault(const Group &group) const {
                        [&](const std::string &id) { return m_atFault.count(id) != 0; });
 }
 
+std::optional<bool> CheckRunner::sampleDivides() const {
+    return m_sampleDivides.size() == 1 ? std::optional(*m_sampleDivides.begin()) : std::nullopt;
+}
+
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant,
                                ReferenceAnswers &known) {
     const std::string key = check.id + "/" + variant.name;
@@ -202,7 +206,8 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     CheckResult best = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
     bool replaced = false;   // what it stands on
-    for (const VariantPlan &plan : followThroughPlans(group)) {
+    for (const VariantPlan &plan :
+         followThroughPlans(group, excusable ? sampleDivides() : std::nullopt)) {
         const Variant &built = variant(plan, group);
         replaced = replaced || (built.executable && built.isWhole);
         CheckResult result = runOn(check, built, known);
@@ -235,6 +240,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
 void CheckRunner::startAnew() {
     m_atFault.clear();
     m_chosenWrongly.clear();
+    m_sampleDivides.clear();
     m_endless.clear();
 }
 
@@ -300,6 +306,8 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
         // With an integrator under suspicion the choice is judged with ours, too.
         if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
             m_atFault.insert(group.id);
+        if (result.sampleDivides)
+            m_sampleDivides.insert(*result.sampleDivides);
     }
     return results;
 }

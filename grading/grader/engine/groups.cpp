@@ -65,7 +65,7 @@ VariantPlan studentPlan(const Group &group) {
     return plan;
 }
 
-std::vector<VariantPlan> followThroughPlans(const Group &group) {
+std::vector<VariantPlan> followThroughPlans(const Group &group, std::optional<bool> divides) {
     const std::set<std::string> units = upstreamUnits(group);
     if (units.empty())
         return {};
@@ -89,8 +89,9 @@ std::vector<VariantPlan> followThroughPlans(const Group &group) {
         if (scene == Origin::Starter && !usesScene)
             continue;
         const std::string sceneName = scene == Origin::Starter ? ", the base's Scene" : "";
-        plans.push_back(planOf("our upstream" + sceneName, group, Origin::Reference, scene));
-        if (samplesEmitters)
+        if (!samplesEmitters || divides.value_or(true))
+            plans.push_back(planOf("our upstream" + sceneName, group, Origin::Reference, scene));
+        if (samplesEmitters && !divides.value_or(false))
             plans.push_back(planOf("our upstream, samples not divided by the density" + sceneName,
                                    group, Origin::ReferenceValue, scene));
     }

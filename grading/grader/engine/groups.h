@@ -4,6 +4,7 @@
 #include <grader/build/variant_builder.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ VariantPlan studentPlan(const Group &group);
 /// The group's own files over our upstream: what tells whether a failure is the group's or was
 /// charged upstream already. One per convention of Emitter::sample and, where Scene is upstream,
 /// with the hand-in's Scene and with the starter's; most faithful first.
-std::vector<VariantPlan> followThroughPlans(const Group &group);
+/// \param divides  what is known of the hand-in's emitters: an integrator that is right only with
+///                 the other convention is wrong
+std::vector<VariantPlan> followThroughPlans(const Group &group,
+                                            std::optional<bool> divides = std::nullopt);
 
 } // namespace grader

@@ -63,6 +63,9 @@ struct CheckResult {
     Severity severity = Severity::Visible; ///< filled in by scoring from the rubric
     double score = 1;    ///< fraction of the check's weight that is kept [0, 1]; by scoring
     std::string variant; ///< which parts were the student's, e.g. `student` or `reference warp`
+    /// Whether Emitter::sample divides by the density, where the check has seen it; not written
+    /// out.
+    std::optional<bool> sampleDivides;
 };
 
 struct ItemResult {

@@ -51,6 +51,20 @@ TEST(Groups, FollowThroughNeverReplacesWhatIsJudgedAlone) {
         << "two conventions of Emitter::sample, with the hand-in's Scene and without";
 }
 
+TEST(Groups, FollowThroughKeepsTheConventionOfTheHandIn) {
+    for (const bool divides : {true, false}) {
+        const Group &group = findGroup("direct_ems");
+        const std::vector<VariantPlan> plans = followThroughPlans(group, divides);
+        EXPECT_EQ(plans.size(), 2u);
+        for (const VariantPlan &plan : plans)
+            EXPECT_EQ(plan.origins.at("area.cpp"),
+                      divides ? Origin::Reference : Origin::ReferenceValue)
+                << plan.name;
+    }
+    // Nothing upstream of an emitter samples one.
+    EXPECT_EQ(followThroughPlans(findGroup("area"), false).size(), 1u);
+}
+
 TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
     std::set<std::string> ids;
     for (const Check &check : checkTable()) {
