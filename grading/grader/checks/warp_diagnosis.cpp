@@ -177,6 +177,10 @@ std::vector<Guess> guessDensity(const catalog::WarpEntry &warp,
     if (density.mistake != nullptr)
         guesses.push_back({warpDiagnosis(warp.id, "pdf_" + std::string(density.mistake->id)), 1});
     if (outside) {
+        if (!std::isfinite(density.outsideSize))
+            guesses.push_back({"warp.pdf_not_finite", 0.9});
+        if (density.outsideMass < 0)
+            guesses.push_back({"warp.pdf_negative", 0.9});
         guesses.push_back(
             {warp.dimension == 3 ? "warp.pdf_below_horizon" : "warp.pdf_outside", 0.8});
         return guesses;

@@ -62,6 +62,18 @@ TEST(WarpDiagnosis, names_a_density_by_its_ratio) {
     EXPECT_EQ(firstOf(guessDensity(triangle, density, true)), "warp.pdf_outside");
 }
 
+TEST(WarpDiagnosis, tells_what_a_density_is_outside) {
+    const catalog::WarpEntry &triangle = catalog::requireWarp("triangle");
+    battery::DensityResult density;
+    density.outsideMass = density.outsideSize = 0.5;
+    EXPECT_EQ(firstOf(guessDensity(triangle, density, true)), "warp.pdf_outside");
+    density.outsideMass = -0.5;
+    EXPECT_EQ(firstOf(guessDensity(triangle, density, true)), "warp.pdf_negative");
+    density = {};
+    density.outsideSize = INFINITY;
+    EXPECT_EQ(firstOf(guessDensity(triangle, density, true)), "warp.pdf_not_finite");
+}
+
 TEST(GuessRadiance, names_factors_and_means) {
     const RadianceMoments right = imageOf(someRadiance(1));
     CaseDiagnoses known;
