@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "check_groups.h"
+#include "radiance_check.h"
 
 namespace grader {
 
@@ -123,27 +124,18 @@ CheckResult judgeMethod(CheckContext &context) {
     return result;
 }
 
-Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)) {
-    Check check;
-    check.id = std::string("direct_ems.") + name;
-    check.item = "direct_ems";
-    check.group = "direct_ems";
-    check.what = what;
-    check.tolerance = 0.03;
-    check.gross = 0.3;
-    check.evidence = run == judgeIndependence ? Evidence::Noise : Evidence::Fixed;
-    check.run = run;
-    return check;
-}
-
 } // namespace
 
 std::vector<Check> noiseChecks() {
-    return {
-        row("independence", "Samples are independent, and the error is what their noise says.",
-            judgeIndependence),
-        row("method", "The noise is that of one sample of one light.", judgeMethod),
+    std::vector<Check> checks = {
+        directEmsCheck("independence",
+                       "Samples are independent, and the error is what their noise says.",
+                       judgeIndependence, 0.03, 0.3),
+        directEmsCheck("method", "The noise is that of one sample of one light.", judgeMethod, 0.03,
+                       0.3),
     };
+    checks.front().evidence = Evidence::Noise;
+    return checks;
 }
 
 } // namespace grader

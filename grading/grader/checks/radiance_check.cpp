@@ -6,18 +6,23 @@
 
 namespace grader {
 
-Check radianceCheck(const char *name, const char *what, CaseMaker make, Experimenter experiment,
-                    double gross) {
+Check directEmsCheck(const char *name, const char *what,
+                     std::function<CheckResult(CheckContext &)> run, double tolerance,
+                     double gross) {
     Check check;
     check.id = std::string("direct_ems.") + name;
     check.item = "direct_ems";
     check.group = "direct_ems";
     check.what = what;
-    check.tolerance = 0.002;
+    check.tolerance = tolerance;
     check.gross = gross;
-    check.evidence = Evidence::Images;
-    check.locks = kRadianceLocks;
-    check.run = [=](CheckContext &context) {
+    check.run = std::move(run);
+    return check;
+}
+
+Check radianceCheck(const char *name, const char *what, CaseMaker make, Experimenter experiment,
+                    double gross) {
+    const auto run = [=](CheckContext &context) {
         CheckResult result = judgeRadiance(context, make(context.seed("scene")));
         if (result.verdict == Verdict::Fail && experiment != nullptr) {
             std::vector<Guess> found = experiment(context);
@@ -26,6 +31,9 @@ Check radianceCheck(const char *name, const char *what, CaseMaker make, Experime
         }
         return result;
     };
+    Check check = directEmsCheck(name, what, run, 0.002, gross);
+    check.evidence = Evidence::Images;
+    check.locks = kRadianceLocks;
     return check;
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "check_groups.h"
+#include "radiance_check.h"
 
 namespace grader {
 
@@ -224,27 +225,19 @@ CheckResult judgeScaled(CheckContext &context) {
     return result;
 }
 
-Check row(const char *name, const char *what, std::function<CheckResult(CheckContext &)> run) {
-    Check check;
-    check.id = std::string("direct_ems.") + name;
-    check.item = "direct_ems";
-    check.group = "direct_ems";
-    check.what = what;
-    check.tolerance = 0.005;
-    check.gross = 0.05;
-    check.run = std::move(run);
-    return check;
-}
-
 } // namespace
 
 std::vector<Check> relationChecks() {
+    constexpr double kTolerance = 0.005;
+    constexpr double kGross = 0.05;
     std::vector<Check> checks = {
-        row("scaled", "Lights k times as strong make every sample k times as large.", judgeScaled)};
+        directEmsCheck("scaled", "Lights k times as strong make every sample k times as large.",
+                       judgeScaled, kTolerance, kGross)};
     for (const Relation &relation : relations()) {
-        checks.push_back(row(relation.name, relation.what, [relation](CheckContext &context) {
+        const auto run = [relation](CheckContext &context) {
             return judgeRelation(context, relation);
-        }));
+        };
+        checks.push_back(directEmsCheck(relation.name, relation.what, run, kTolerance, kGross));
         checks.back().evidence = Evidence::Images;
     }
     return checks;

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "check_groups.h"
+#include "radiance_check.h"
 #include "thread_check.h"
 
 namespace grader {
@@ -54,24 +55,16 @@ CheckResult judgeThreads(CheckContext &context) {
     return compareThreads(context, std::move(group), "samples of an image", "ems.shared_state");
 }
 
-Check row(const char *name, const char *what, CheckResult (*run)(CheckContext &)) {
-    Check check;
-    check.id = std::string("direct_ems.") + name;
-    check.item = "direct_ems";
-    check.group = "direct_ems";
-    check.what = what;
-    check.tolerance = 0.03;
-    check.gross = 0.3;
-    check.run = run;
-    return check;
-}
-
 } // namespace
 
 std::vector<Check> repeatChecks() {
+    constexpr double kTolerance = 0.03;
+    constexpr double kGross = 0.3;
     return {
-        row("sampler", "All random numbers come from the sampler.", judgeSampler),
-        row("threads", "Threads do not disturb each other.", judgeThreads),
+        directEmsCheck("sampler", "All random numbers come from the sampler.", judgeSampler,
+                       kTolerance, kGross),
+        directEmsCheck("threads", "Threads do not disturb each other.", judgeThreads, kTolerance,
+                       kGross),
     };
 }
 
