@@ -144,10 +144,6 @@ bool CheckRunner::upstreamAtFault(const Group &group) const {
                        [&](const std::string &id) { return m_atFault.count(id) != 0; });
 }
 
-std::optional<bool> CheckRunner::sampleDivides() const {
-    return m_sampleDivides.size() == 1 ? std::optional(*m_sampleDivides.begin()) : std::nullopt;
-}
-
 CheckResult CheckRunner::runOn(const Check &check, const Variant &variant,
                                ReferenceAnswers &known) {
     const std::string key = check.id + "/" + variant.name;
@@ -204,18 +200,23 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     if (!isAtFault(first.verdict) || (!excusable && !mayDisagree))
         return first;
     CheckResult best = first;
+    // What is held against it where nobody has chosen wrongly: without what was charged upstream.
+    CheckResult withOwnChoice = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
     bool replaced = false;   // what it stands on
     for (const VariantPlan &plan :
-         followThroughPlans(group, excusable ? sampleDivides() : std::nullopt)) {
+         followThroughPlans(group, excusable ? m_conventions : SampleConventions())) {
         const Variant &built = variant(plan, group);
         replaced = replaced || (built.executable && built.isWhole);
+        const auto scene = plan.origins.find(kSceneUnit);
+        const bool isOurChoice = scene != plan.origins.end() && scene->second == Origin::Starter;
         CheckResult result = runOn(check, built, known);
+        if (excusable && !isOurChoice && rank(result.verdict) >= rank(withOwnChoice.verdict))
+            withOwnChoice = result;
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
         if (best.verdict == Verdict::Pass) {
-            const auto scene = plan.origins.find(kSceneUnit);
-            onlyChoice = scene != plan.origins.end() && scene->second == Origin::Starter;
+            onlyChoice = isOurChoice;
             break;
         }
     }
@@ -223,13 +224,13 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         best = withVerdict(check, Verdict::Human,
                            "Other files of the hand-in are wrong, and ours cannot stand for them, "
                            "as they do not compile with its headers.");
-    if (excusable)
-        return best;
     if (onlyChoice) {
         const std::lock_guard<std::mutex> lock(m_mutex);
-        m_chosenWrongly.emplace(check.id, std::move(first));
+        m_chosenWrongly.emplace(check.id, std::move(withOwnChoice));
         return best;
     }
+    if (excusable)
+        return best;
     if (best.verdict == Verdict::Pass) {
         first.diagnoses.push_back({"ems.convention", 0.8});
         tellDiagnoses(first);
@@ -240,7 +241,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
 void CheckRunner::startAnew() {
     m_atFault.clear();
     m_chosenWrongly.clear();
-    m_sampleDivides.clear();
+    m_conventions.clear();
     m_endless.clear();
 }
 
@@ -307,7 +308,7 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
         if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
             m_atFault.insert(group.id);
         if (result.sampleDivides)
-            m_sampleDivides.insert(*result.sampleDivides);
+            m_conventions[lead] = *result.sampleDivides;
     }
     return results;
 }

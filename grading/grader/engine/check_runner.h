@@ -7,7 +7,6 @@
 
 #include <map>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -48,9 +47,6 @@ private:
                        ReferenceAnswers &known);
     const Variant &variant(const VariantPlan &plan, const Group &group);
     bool upstreamAtFault(const Group &group) const;
-    /// Whether Emitter::sample divides by the density: nothing if it is not known, or if the
-    /// emitters differ.
-    std::optional<bool> sampleDivides() const;
 
     const Sandbox &m_sandbox;
     const EngineOptions &m_options;
@@ -62,7 +58,7 @@ private:
     std::map<std::string, CheckResult> m_measured;      ///< by check id and plan name
     std::mutex m_mutex;                                 ///< of the three maps
     std::set<std::string> m_atFault;                    ///< groups with a check that failed
-    std::set<bool> m_sampleDivides;  ///< of the emitters whose convention was seen
+    SampleConventions m_conventions;                    ///< of the emitters that were checked
     std::set<std::string> m_endless; ///< ids of groups with a check that ran into a time limit
     std::atomic<double> m_sampleSeconds{0};
 };

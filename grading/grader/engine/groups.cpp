@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "groups.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 #include <stdexcept>
@@ -11,6 +13,9 @@ namespace {
 
 /// Of Assignment 1: not judged, but used where it was handed in.
 const std::vector<std::string> kGivenUnits = {"pointlight.cpp", "direct_whitted.cpp"};
+
+/// Where Emitter::sample may divide by the density or not.
+constexpr std::array<const char *, 2> kEmitterUnits = {"area.cpp", "environment.cpp"};
 
 std::set<std::string> upstreamUnits(const Group &group) {
     std::set<std::string> units;
@@ -29,6 +34,26 @@ VariantPlan planOf(const std::string &name, const Group &group, Origin upstream,
         plan.origins[unit] = unit == kSceneUnit ? scene : upstream;
     for (const std::string &unit : group.own)
         plan.origins[unit] = Origin::Student;
+    return plan;
+}
+
+/// Our upstream, with the hand-in's conventions where they are known.
+/// \param divides  whether Emitter::sample divides by the density where it is not known
+VariantPlan ourUpstream(const Group &group, Origin scene, const SampleConventions &known,
+                        bool divides) {
+    VariantPlan plan = planOf("our upstream", group, Origin::Reference, scene);
+    for (const char *unit : kEmitterUnits) {
+        const auto origin = plan.origins.find(unit);
+        if (origin == plan.origins.end() || origin->second == Origin::Student)
+            continue;
+        const auto seen = known.find(unit);
+        if (seen != known.end() ? seen->second : divides)
+            continue;
+        origin->second = Origin::ReferenceValue;
+        plan.name += fmt::format(", samples of {} not divided by the density", unit);
+    }
+    if (scene == Origin::Starter)
+        plan.name += ", the base's Scene";
     return plan;
 }
 
@@ -65,35 +90,31 @@ VariantPlan studentPlan(const Group &group) {
     return plan;
 }
 
-std::vector<VariantPlan> followThroughPlans(const Group &group, std::optional<bool> divides) {
+std::vector<VariantPlan> followThroughPlans(const Group &group, const SampleConventions &known) {
     const std::set<std::string> units = upstreamUnits(group);
     if (units.empty())
         return {};
     std::vector<VariantPlan> plans;
+    for (const Origin scene : {Origin::Student, Origin::Starter}) {
+        if (scene == Origin::Starter && units.count(kSceneUnit) == 0)
+            continue;
+        for (const bool divides : {true, false}) {
+            VariantPlan plan = ourUpstream(group, scene, known, divides);
+            if (plans.empty() || plans.back().name != plan.name)
+                plans.push_back(std::move(plan));
+        }
+    }
     // A group may share a file with one that it stands on: then ours stands for that file, too.
     VariantPlan ours =
         planOf("our upstream and integrator", group, Origin::Reference, Origin::Student);
+    bool sharesFiles = false;
     for (const std::string &id : group.upstream) {
         for (const std::string &unit : findGroup(id).own) {
-            if (std::count(group.own.begin(), group.own.end(), unit) != 0)
-                ours.origins[unit] = Origin::Reference;
+            if (std::count(group.own.begin(), group.own.end(), unit) == 0)
+                continue;
+            ours.origins[unit] = Origin::Reference;
+            sharesFiles = true;
         }
-    }
-    const bool sharesFiles =
-        std::any_of(group.own.begin(), group.own.end(), [&](const std::string &unit) {
-            return ours.origins.at(unit) != Origin::Student;
-        });
-    const bool samplesEmitters = units.count("area.cpp") != 0;
-    const bool usesScene = units.count(kSceneUnit) != 0;
-    for (const Origin scene : {Origin::Student, Origin::Starter}) {
-        if (scene == Origin::Starter && !usesScene)
-            continue;
-        const std::string sceneName = scene == Origin::Starter ? ", the base's Scene" : "";
-        if (!samplesEmitters || divides.value_or(true))
-            plans.push_back(planOf("our upstream" + sceneName, group, Origin::Reference, scene));
-        if (samplesEmitters && !divides.value_or(false))
-            plans.push_back(planOf("our upstream, samples not divided by the density" + sceneName,
-                                   group, Origin::ReferenceValue, scene));
     }
     if (sharesFiles)
         plans.push_back(std::move(ours));

@@ -4,7 +4,7 @@
 #include <grader/build/variant_builder.h>
 
 #include <array>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,12 +32,14 @@ const Group &findGroup(const std::string &id);
 /// The hand-in as it is: its own files for the group and everything upstream.
 VariantPlan studentPlan(const Group &group);
 
+/// Whether Emitter::sample divides by the density, by unit: those of a hand-in that are known.
+using SampleConventions = std::map<std::string, bool>;
+
 /// The group's own files over our upstream: what tells whether a failure is the group's or was
-/// charged upstream already. One per convention of Emitter::sample and, where Scene is upstream,
-/// with the hand-in's Scene and with the starter's; most faithful first.
-/// \param divides  what is known of the hand-in's emitters: an integrator that is right only with
-///                 the other convention is wrong
+/// charged upstream already. One per convention of Emitter::sample where it is not known, and,
+/// where Scene is upstream, with the hand-in's Scene and with the starter's; most faithful first.
+/// \param known  an integrator that is right only with another convention is wrong
 std::vector<VariantPlan> followThroughPlans(const Group &group,
-                                            std::optional<bool> divides = std::nullopt);
+                                            const SampleConventions &known = {});
 
 } // namespace grader

@@ -51,18 +51,26 @@ TEST(Groups, FollowThroughNeverReplacesWhatIsJudgedAlone) {
         << "two conventions of Emitter::sample, with the hand-in's Scene and without";
 }
 
-TEST(Groups, FollowThroughKeepsTheConventionOfTheHandIn) {
-    for (const bool divides : {true, false}) {
-        const Group &group = findGroup("direct_ems");
-        const std::vector<VariantPlan> plans = followThroughPlans(group, divides);
-        EXPECT_EQ(plans.size(), 2u);
-        for (const VariantPlan &plan : plans)
-            EXPECT_EQ(plan.origins.at("area.cpp"),
-                      divides ? Origin::Reference : Origin::ReferenceValue)
-                << plan.name;
+TEST(Groups, FollowThroughKeepsTheConventionsOfTheHandIn) {
+    const Group &group = findGroup("direct_ems");
+    for (const bool area : {true, false}) {
+        for (const bool environment : {true, false}) {
+            const std::vector<VariantPlan> plans =
+                followThroughPlans(group, {{"area.cpp", area}, {"environment.cpp", environment}});
+            EXPECT_EQ(plans.size(), 2u) << "with the hand-in's Scene and without";
+            for (const VariantPlan &plan : plans) {
+                EXPECT_EQ(plan.origins.at("area.cpp"),
+                          area ? Origin::Reference : Origin::ReferenceValue)
+                    << plan.name;
+                EXPECT_EQ(plan.origins.at("environment.cpp"),
+                          environment ? Origin::Reference : Origin::ReferenceValue)
+                    << plan.name;
+            }
+        }
     }
-    // Nothing upstream of an emitter samples one.
-    EXPECT_EQ(followThroughPlans(findGroup("area"), false).size(), 1u);
+    EXPECT_EQ(followThroughPlans(group, {{"area.cpp", false}}).size(), 4u);
+    // What is judged is the hand-in's, and nothing upstream of it samples an emitter.
+    EXPECT_EQ(followThroughPlans(findGroup("area"), {{"area.cpp", false}}).size(), 1u);
 }
 
 TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
