@@ -74,6 +74,8 @@ Patch readPatch(const fs::path &path, const std::string &name) {
             patch.equivalent = file.text(node);
         else if (key.str() == "missing")
             patch.missing = file.texts(node);
+        else if (key.str() == "without")
+            patch.without = file.texts(node);
         else if (key.str() == "change")
             patch.changes = changesOf(file, node, false);
         else if (key.str() == "file")
@@ -157,6 +159,10 @@ fs::path apply(const Patch &patch, const fs::path &submissions, const fs::path &
     fs::create_directories(folder);
     fs::copy(base, folder, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     fs::remove(folder / "expected.toml");
+    for (const std::string &file : patch.without) {
+        if (!fs::remove(folder / file))
+            throw ExamError(fmt::format("{}: {} has no {}", patch.name, patch.base, file));
+    }
     for (const Change &file : patch.files) {
         fs::create_directories((folder / file.file).parent_path());
         std::ofstream(folder / file.file, std::ios::binary) << file.after;

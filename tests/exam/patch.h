@@ -28,8 +28,9 @@ struct Patch {
     std::string item;                   ///< the one that it costs; empty for variants
     std::vector<std::string> diagnoses; ///< ids, one of which must be named; may be empty
     std::string equivalent;             ///< where the mistake makes no difference; may be empty
-    std::vector<std::string> missing;   ///< items that a variant does not do, and so does not get
+    std::vector<std::string> missing;   ///< items that are not done, and so not got
 
+    std::vector<std::string> without; ///< files of the base that are not handed in
     std::vector<Change> changes;
     std::vector<Change> files; ///< new or replaced ones: `after` is all their text
     bool crlf = false;         ///< written with the line ends of Windows

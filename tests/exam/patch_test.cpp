@@ -60,6 +60,13 @@ TEST_F(Patches, change_one_text_and_nothing_else) {
     EXPECT_FALSE(fs::exists(m_folder / "work" / "one" / "expected.toml"));
 }
 
+TEST_F(Patches, leave_files_out) {
+    const Patch patch = read("without = [\"src/scene.cpp\"]\n" + kHead);
+    EXPECT_TRUE(applied(patch, "src/scene.cpp").empty());
+    EXPECT_FALSE(applied(patch, "src/warp.cpp").empty());
+    EXPECT_THROW(applied(read("without = [\"src/none.cpp\"]\n" + kHead), ""), ExamError);
+}
+
 TEST_F(Patches, do_not_apply_where_the_text_is_gone_or_there_twice) {
     EXPECT_THROW(applied(read(kHead + kDisk + change("no such text")), ""), ExamError);
     EXPECT_THROW(applied(read(kHead + kDisk + change("float")), ""), ExamError);
