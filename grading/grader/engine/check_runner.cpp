@@ -266,7 +266,8 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
             results[i] = withVerdict(*checks[i], verdict, message);
             checkDone();
         }
-        if (!checks.empty())
+        // The base's Scene is complete: what stands on it stands on nothing wrong.
+        if (!checks.empty() && (verdict != Verdict::Missing || group.own.back() != kSceneUnit))
             m_atFault.insert(group.id);
         return results;
     };
