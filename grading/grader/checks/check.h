@@ -43,6 +43,9 @@ struct Check {
     double tolerance = 0; ///< default of RubricCheck::tolerance
     double gross = 0;     ///< default of RubricCheck::gross
     Evidence evidence = Evidence::Fixed;
+    /// A failure of it is charged where it shows, if anywhere: it excuses nobody who calls the
+    /// code.
+    bool excusesNobody = false;
     int locks = 1; ///< times that three stages could accuse: per parameter, per way of looking
     std::function<CheckResult(CheckContext &)> run;
 };

@@ -188,6 +188,36 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant,
     return result;
 }
 
+std::vector<VariantPlan> CheckRunner::plansFor(const Group &group, bool excusable) {
+    if (!excusable)
+        return followThroughPlans(group);
+    std::vector<VariantPlan> plans = mendedPlans(group, m_atFault, m_conventions);
+    const bool goTogether = std::any_of(plans.begin(), plans.end(), [&](const VariantPlan &plan) {
+        const Variant &built = variant(plan, group);
+        return built.executable && built.isWhole;
+    });
+    return goTogether ? plans : followThroughPlans(group, m_conventions);
+}
+
+void CheckRunner::remember(const Group &group, const std::vector<CheckResult> &results) {
+    bool evalIsRight = true;
+    std::set<bool> divides;
+    for (const CheckResult &result : results) {
+        const Check *check = findCheck(result.id);
+        const bool excuses = check == nullptr || !check->excusesNobody;
+        // With an integrator under suspicion the choice is judged with ours, too.
+        if ((isAtFault(result.verdict) && excuses) || m_chosenWrongly.count(result.id) != 0)
+            m_atFault.insert(group.id);
+        if (result.id == group.id + ".eval")
+            evalIsRight = !isAtFault(result.verdict);
+        if (result.sampleDivides)
+            divides.insert(*result.sampleDivides);
+    }
+    // What sample gives is compared with what eval gives.
+    if (evalIsRight && divides.size() == 1)
+        m_conventions[group.own.back()] = *divides.begin();
+}
+
 CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first,
                                 ReferenceAnswers &known) {
     const Variant &own = variant(studentPlan(group), group);
@@ -204,8 +234,7 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     CheckResult withOwnChoice = first;
     bool onlyChoice = false; // passes only where our Scene chooses the lights
     bool replaced = false;   // what it stands on
-    for (const VariantPlan &plan :
-         followThroughPlans(group, excusable ? m_conventions : SampleConventions())) {
+    for (const VariantPlan &plan : plansFor(group, excusable)) {
         const Variant &built = variant(plan, group);
         replaced = replaced || (built.executable && built.isWhole);
         const auto scene = plan.origins.find(kSceneUnit);
@@ -216,7 +245,8 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
         if (best.verdict == Verdict::Pass) {
-            onlyChoice = isOurChoice;
+            // Our emitters may not tell the hand-in's Scene what its own do.
+            onlyChoice = isOurChoice && (!excusable || keepsEmitters(plan));
             break;
         }
     }
@@ -304,13 +334,7 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
                 [&](std::size_t i) { run(i + 1); });
     if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
         m_endless.insert(group.id);
-    for (const CheckResult &result : results) {
-        // With an integrator under suspicion the choice is judged with ours, too.
-        if (isAtFault(result.verdict) || m_chosenWrongly.count(result.id) != 0)
-            m_atFault.insert(group.id);
-        if (result.sampleDivides)
-            m_conventions[lead] = *result.sampleDivides;
-    }
+    remember(group, results);
     return results;
 }
 

@@ -45,6 +45,11 @@ private:
     CheckResult measure(const Check &check, const Variant &variant, ReferenceAnswers &known);
     CheckResult follow(const Check &check, const Group &group, CheckResult first,
                        ReferenceAnswers &known);
+    /// With what a failure of the group is followed through.
+    /// \param excusable  something upstream is at fault, or holds up the program
+    std::vector<VariantPlan> plansFor(const Group &group, bool excusable);
+    /// Whether the group is at fault, and what its emitter returns.
+    void remember(const Group &group, const std::vector<CheckResult> &results);
     const Variant &variant(const VariantPlan &plan, const Group &group);
     bool upstreamAtFault(const Group &group) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "groups.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -37,24 +37,63 @@ VariantPlan planOf(const std::string &name, const Group &group, Origin upstream,
     return plan;
 }
 
-/// Our upstream, with the hand-in's conventions where they are known.
+/// Makes ours of emitters what the hand-in's are, where that is known.
 /// \param divides  whether Emitter::sample divides by the density where it is not known
-VariantPlan ourUpstream(const Group &group, Origin scene, const SampleConventions &known,
-                        bool divides) {
-    VariantPlan plan = planOf("our upstream", group, Origin::Reference, scene);
+void keepConventions(VariantPlan &plan, const SampleConventions &known, bool divides) {
     for (const char *unit : kEmitterUnits) {
         const auto origin = plan.origins.find(unit);
-        if (origin == plan.origins.end() || origin->second == Origin::Student)
-            continue;
         const auto seen = known.find(unit);
-        if (seen != known.end() ? seen->second : divides)
+        if (origin == plan.origins.end() || origin->second != Origin::Reference ||
+            (seen != known.end() ? seen->second : divides))
             continue;
         origin->second = Origin::ReferenceValue;
         plan.name += fmt::format(", samples of {} not divided by the density", unit);
     }
-    if (scene == Origin::Starter)
-        plan.name += ", the base's Scene";
+}
+
+/// A plan per convention that is not known, with the hand-in's Scene and with the starter's.
+std::vector<VariantPlan> everyWay(const VariantPlan &plan, const SampleConventions &known) {
+    std::vector<VariantPlan> plans;
+    const auto chosenBy = plan.origins.find(kSceneUnit);
+    const bool isJudged =
+        std::count(plan.judged.begin(), plan.judged.end(), std::string(kSceneUnit)) != 0;
+    for (const Origin scene : {Origin::Student, Origin::Starter}) {
+        const bool hasScene = chosenBy != plan.origins.end() && !isJudged;
+        if (hasScene ? scene == Origin::Student && chosenBy->second == Origin::Starter
+                     : scene == Origin::Starter)
+            continue;
+        for (const bool divides : {true, false}) {
+            VariantPlan way = plan;
+            keepConventions(way, known, divides);
+            if (hasScene)
+                way.origins[kSceneUnit] = scene;
+            if (scene == Origin::Starter)
+                way.name += ", the base's Scene";
+            if (plans.empty() || plans.back().origins != way.origins)
+                plans.push_back(std::move(way));
+        }
+    }
+    return plans;
+}
+
+/// Ours for everything upstream, and for files that are shared with it.
+VariantPlan oursAndShared(const Group &group) {
+    VariantPlan plan =
+        planOf("our upstream and integrator", group, Origin::Reference, Origin::Student);
+    for (const std::string &id : group.upstream) {
+        for (const std::string &unit : findGroup(id).own) {
+            if (plan.origins.count(unit) != 0 && unit != kSceneUnit)
+                plan.origins[unit] = Origin::Reference;
+        }
+    }
     return plan;
+}
+
+bool sharesFiles(const Group &group, const std::string &upstream) {
+    const std::vector<std::string> &own = findGroup(upstream).own;
+    return std::any_of(own.begin(), own.end(), [&](const std::string &unit) {
+        return std::count(group.own.begin(), group.own.end(), unit) != 0;
+    });
 }
 
 } // namespace
@@ -90,35 +129,48 @@ VariantPlan studentPlan(const Group &group) {
     return plan;
 }
 
-std::vector<VariantPlan> followThroughPlans(const Group &group, const SampleConventions &known) {
-    const std::set<std::string> units = upstreamUnits(group);
-    if (units.empty())
-        return {};
-    std::vector<VariantPlan> plans;
-    for (const Origin scene : {Origin::Student, Origin::Starter}) {
-        if (scene == Origin::Starter && units.count(kSceneUnit) == 0)
-            continue;
-        for (const bool divides : {true, false}) {
-            VariantPlan plan = ourUpstream(group, scene, known, divides);
-            if (plans.empty() || plans.back().name != plan.name)
-                plans.push_back(std::move(plan));
-        }
-    }
-    // A group may share a file with one that it stands on: then ours stands for that file, too.
-    VariantPlan ours =
-        planOf("our upstream and integrator", group, Origin::Reference, Origin::Student);
-    bool sharesFiles = false;
+std::vector<VariantPlan> mendedPlans(const Group &group, const std::set<std::string> &atFault,
+                                     const SampleConventions &known) {
+    VariantPlan plan = studentPlan(group);
+    std::vector<std::string> replaced;
+    bool sharesFault = false;
     for (const std::string &id : group.upstream) {
+        if (atFault.count(id) == 0)
+            continue;
+        sharesFault = sharesFault || sharesFiles(group, id);
         for (const std::string &unit : findGroup(id).own) {
-            if (std::count(group.own.begin(), group.own.end(), unit) == 0)
+            if (std::count(group.own.begin(), group.own.end(), unit) != 0)
                 continue;
-            ours.origins[unit] = Origin::Reference;
-            sharesFiles = true;
+            plan.origins[unit] = unit == kSceneUnit ? Origin::Starter : Origin::Reference;
+            replaced.push_back(unit);
         }
     }
-    if (sharesFiles)
-        plans.push_back(std::move(ours));
+    std::vector<VariantPlan> plans;
+    plan.name = fmt::format("ours: {}", fmt::join(replaced, ", "));
+    if (!replaced.empty())
+        plans = everyWay(plan, known);
+    // Our integrator goes with emitters of ours only.
+    if (sharesFault)
+        plans.push_back(oursAndShared(group));
     return plans;
+}
+
+std::vector<VariantPlan> followThroughPlans(const Group &group, const SampleConventions &known) {
+    if (upstreamUnits(group).empty())
+        return {};
+    std::vector<VariantPlan> plans =
+        everyWay(planOf("our upstream", group, Origin::Reference, Origin::Student), known);
+    if (std::any_of(group.upstream.begin(), group.upstream.end(),
+                    [&](const std::string &id) { return sharesFiles(group, id); }))
+        plans.push_back(oursAndShared(group));
+    return plans;
+}
+
+bool keepsEmitters(const VariantPlan &plan) {
+    return std::all_of(kEmitterUnits.begin(), kEmitterUnits.end(), [&](const char *unit) {
+        const auto origin = plan.origins.find(unit);
+        return origin == plan.origins.end() || origin->second == Origin::Student;
+    });
 }
 
 } // namespace grader

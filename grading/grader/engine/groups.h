@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,20 @@ VariantPlan studentPlan(const Group &group);
 /// Whether Emitter::sample divides by the density, by unit: those of a hand-in that are known.
 using SampleConventions = std::map<std::string, bool>;
 
-/// The group's own files over our upstream: what tells whether a failure is the group's or was
-/// charged upstream already. One per convention of Emitter::sample where it is not known, and,
-/// where Scene is upstream, with the hand-in's Scene and with the starter's; most faithful first.
-/// \param known  an integrator that is right only with another convention is wrong
+/// The hand-in with ours for what is at fault upstream, and for nothing else. One plan per
+/// convention of Emitter::sample where an emitter is replaced whose own is not known and, where
+/// Scene is upstream, with the hand-in's Scene and with the starter's; most faithful first.
+/// \param atFault  ids of groups
+/// \return         nothing if nothing upstream is at fault
+std::vector<VariantPlan> mendedPlans(const Group &group, const std::set<std::string> &atFault,
+                                     const SampleConventions &known);
+
+/// The group's own files over our upstream, all of it: where it is not known what is at fault, or
+/// ours does not go with the rest of the hand-in. Conventions and Scene as for mendedPlans().
 std::vector<VariantPlan> followThroughPlans(const Group &group,
                                             const SampleConventions &known = {});
+
+/// Whether the plan has the hand-in's emitters, of which its Scene may ask what ours do not know.
+bool keepsEmitters(const VariantPlan &plan);
 
 } // namespace grader

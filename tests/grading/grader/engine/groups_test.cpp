@@ -73,6 +73,41 @@ TEST(Groups, FollowThroughKeepsTheConventionsOfTheHandIn) {
     EXPECT_EQ(followThroughPlans(findGroup("area"), {{"area.cpp", false}}).size(), 1u);
 }
 
+TEST(Groups, MendWhatIsAtFaultAndNothingElse) {
+    const Group &group = findGroup("direct_ems");
+    EXPECT_TRUE(mendedPlans(group, {}, {}).empty());
+    const std::vector<VariantPlan> warp = mendedPlans(group, {"warp"}, {});
+    EXPECT_EQ(warp.size(), 2u) << "with the hand-in's Scene and with the base's";
+    for (const VariantPlan &plan : warp) {
+        EXPECT_EQ(plan.origins.at("warp.cpp"), Origin::Reference);
+        for (const char *unit : {"area.cpp", "environment.cpp", "direct_ems.cpp"})
+            EXPECT_EQ(plan.origins.at(unit), Origin::Student) << plan.name;
+        EXPECT_TRUE(keepsEmitters(plan));
+    }
+    EXPECT_EQ(warp[0].origins.at("scene.cpp"), Origin::Student);
+    EXPECT_EQ(warp[1].origins.at("scene.cpp"), Origin::Starter);
+    EXPECT_EQ(mendedPlans(group, {"scene"}, {}).size(), 1u);
+
+    const std::vector<VariantPlan> area = mendedPlans(group, {"area"}, {});
+    EXPECT_EQ(area.size(), 4u) << "and either convention";
+    EXPECT_EQ(mendedPlans(group, {"area"}, {{"area.cpp", false}}).size(), 2u);
+    EXPECT_FALSE(keepsEmitters(area[0]));
+    std::set<std::string> names; // what was measured is kept by name
+    for (const VariantPlan &plan : area)
+        EXPECT_TRUE(names.insert(plan.name).second) << plan.name;
+}
+
+TEST(Groups, MendAnIntegratorForTheChoiceOnlyWhereItIsAtFault) {
+    const Group &group = findGroup("importance");
+    for (const VariantPlan &plan : mendedPlans(group, {"warp", "area"}, {}))
+        EXPECT_EQ(plan.origins.at("direct_ems.cpp"), Origin::Student) << plan.name;
+    const std::vector<VariantPlan> plans = mendedPlans(group, {"direct_ems"}, {});
+    ASSERT_EQ(plans.size(), 1u);
+    EXPECT_EQ(plans[0].origins.at("direct_ems.cpp"), Origin::Reference);
+    EXPECT_EQ(plans[0].origins.at("area.cpp"), Origin::Reference) << "they go together";
+    EXPECT_EQ(plans[0].origins.at("scene.cpp"), Origin::Student);
+}
+
 TEST(Checks, HaveUniqueNamesAndBoundsInOrder) {
     std::set<std::string> ids;
     for (const Check &check : checkTable()) {
