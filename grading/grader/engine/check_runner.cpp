@@ -2,7 +2,7 @@
 #include "check_runner.h"
 
 #include <grader/diagnosis/catalogue.h>
-#include <grader/digest.h>
+#include <grader/engine/box_context.h>
 
 #include <fmt/core.h>
 
@@ -12,75 +12,6 @@
 namespace grader {
 
 namespace {
-
-/// A check asks for a few seconds of a correct program's time at most.
-constexpr BoxLimits kProbeLimits = {.cpu = std::chrono::seconds(20),
-                                    .wall = std::chrono::seconds(90),
-                                    .memoryBytes = std::uint64_t{3} << 30,
-                                    .fileBytes = std::uint64_t{64} << 20,
-                                    .logBytes = std::uint64_t{1} << 20,
-                                    .processes = 32};
-
-class RunnerContext : public CheckContext {
-public:
-    /// \param interrupted  may be null; every question asks it, as checks ask many
-    /// \param known        what our own program has answered to this check
-    RunnerContext(const Sandbox &sandbox, const std::atomic<bool> *interrupted,
-                  std::filesystem::path student, std::filesystem::path reference,
-                  ReferenceAnswers &known, std::string seedText, std::string digest)
-        : m_sandbox(sandbox),
-          m_interrupted(interrupted),
-          m_student(std::move(student)),
-          m_reference(std::move(reference)),
-          m_known(known),
-          m_seedText(std::move(seedText)),
-          m_digest(std::move(digest)) {}
-
-    ProbeAnswer ask(const protocol::RequestGroup &group) override {
-        return askOne(m_student, group);
-    }
-
-    ProbeAnswer askReference(const protocol::RequestGroup &group) override {
-        stopIfInterrupted();
-        if (const ProbeAnswer *answer = m_known.find(group))
-            return *answer;
-        ProbeAnswer answer = askOne(m_reference, group);
-        m_known.keep(group, answer);
-        return answer;
-    }
-
-    /// The first stage is the same for every hand-in of a run, fair and reproducible; later ones
-    /// are fresh for each.
-    std::uint64_t seed(std::string_view purpose, int stage, int replicate) const override {
-        const std::string text = fmt::format("{}|{}|{}|{}|{}", m_seedText, purpose, stage,
-                                             replicate, stage > 0 ? m_digest : "");
-        return std::stoull(sha256Hex(text).substr(0, 16), nullptr, 16);
-    }
-
-    double sampleSeconds() const { return m_sampleSeconds; }
-
-private:
-    void stopIfInterrupted() const {
-        if (m_interrupted != nullptr && *m_interrupted)
-            throw Interrupted();
-    }
-
-    ProbeAnswer askOne(const std::filesystem::path &probe, const protocol::RequestGroup &group) {
-        stopIfInterrupted();
-        ProbeAnswer answer = askProbe(m_sandbox, probe, group, kProbeLimits);
-        m_sampleSeconds += answer.outcome.wallSeconds;
-        return answer;
-    }
-
-    const Sandbox &m_sandbox;
-    const std::atomic<bool> *m_interrupted;
-    std::filesystem::path m_student;
-    std::filesystem::path m_reference;
-    ReferenceAnswers &m_known;
-    std::string m_seedText;
-    std::string m_digest;
-    double m_sampleSeconds = 0;
-};
 
 CheckResult withVerdict(const Check &check, Verdict verdict, std::string message) {
     CheckResult result;
@@ -172,8 +103,8 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant,
         result.variant = variant.name;
         return result;
     }
-    RunnerContext context(m_sandbox, m_options.interrupted, *variant.executable, m_referenceProbe,
-                          known, m_options.seedHex + "|" + check.id, m_digest);
+    BoxContext context(m_sandbox, m_options.interrupted, *variant.executable, m_referenceProbe,
+                       known, m_options.seedHex + "|" + check.id, m_digest);
     CheckResult result;
     try {
         result = check.run(context);
@@ -184,7 +115,7 @@ CheckResult CheckRunner::measure(const Check &check, const Variant &variant,
     tellDiagnoses(result);
     result.id = check.id;
     result.variant = variant.name;
-    m_sampleSeconds = m_sampleSeconds + context.sampleSeconds();
+    m_sampleSeconds += context.sampleSeconds();
     return result;
 }
 
