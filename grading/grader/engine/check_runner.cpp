@@ -70,6 +70,15 @@ const Variant &CheckRunner::variant(const VariantPlan &plan, const Group &group)
     return m_variants.emplace(key, m_builder.build(plan)).first->second;
 }
 
+const Variant &CheckRunner::ownVariant(const Group &group) {
+    const Variant &own = variant(studentPlan(group), group);
+    if (own.executable || own.failures.empty() || own.failures.back().unit != "link")
+        return own;
+    // It may call what is in another of the hand-in's files.
+    const Variant &whole = variant(wholePlan(group), group);
+    return whole.executable ? whole : own;
+}
+
 bool CheckRunner::upstreamAtFault(const Group &group) const {
     return std::any_of(group.upstream.begin(), group.upstream.end(),
                        [&](const std::string &id) { return m_atFault.count(id) != 0; });
@@ -125,7 +134,7 @@ std::vector<VariantPlan> CheckRunner::plansFor(const Group &group, bool excusabl
     std::vector<VariantPlan> plans = mendedPlans(group, m_atFault, m_conventions);
     const bool goTogether = std::any_of(plans.begin(), plans.end(), [&](const VariantPlan &plan) {
         const Variant &built = variant(plan, group);
-        return built.executable && built.isWhole;
+        return built.executable && built.failures.empty();
     });
     return goTogether ? plans : followThroughPlans(group, m_conventions);
 }
@@ -137,7 +146,9 @@ void CheckRunner::remember(const Group &group, const std::vector<CheckResult> &r
         const Check *check = findCheck(result.id);
         const bool excuses = check == nullptr || !check->excusesNobody;
         // With an integrator under suspicion the choice is judged with ours, too.
-        if ((isAtFault(result.verdict) && excuses) || m_chosenWrongly.count(result.id) != 0)
+        const bool isUndone = group.id == "importance" && result.verdict == Verdict::Missing;
+        if ((isAtFault(result.verdict) && !isUndone && excuses) ||
+            m_chosenWrongly.count(result.id) != 0)
             m_atFault.insert(group.id);
         if (result.id == group.id + ".eval")
             evalIsRight = !isAtFault(result.verdict);
@@ -151,7 +162,7 @@ void CheckRunner::remember(const Group &group, const std::vector<CheckResult> &r
 
 CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckResult first,
                                 ReferenceAnswers &known) {
-    const Variant &own = variant(studentPlan(group), group);
+    const Variant &own = ownVariant(group);
     // Its own files compile, or there would be no checks: another one holds up the program.
     const bool isHeldUp = !own.executable && own.failures.back().unit != "link";
     const bool excusable = isHeldUp || upstreamAtFault(group);
@@ -163,8 +174,9 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     CheckResult best = first;
     // What is held against it where nobody has chosen wrongly: without what was charged upstream.
     CheckResult withOwnChoice = first;
-    bool onlyChoice = false; // passes only where our Scene chooses the lights
-    bool replaced = false;   // what it stands on
+    bool onlyChoice = false;      // passes only where our Scene chooses the lights
+    bool replaced = false;        // what it stands on
+    bool isDoneElsewhere = false; // the hand-in's integrator does what ours leaves to its Scene
     for (const VariantPlan &plan : plansFor(group, excusable)) {
         const Variant &built = variant(plan, group);
         replaced = replaced || (built.executable && built.isWhole);
@@ -173,6 +185,8 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
         CheckResult result = runOn(check, built, known);
         if (excusable && !isOurChoice && rank(result.verdict) >= rank(withOwnChoice.verdict))
             withOwnChoice = result;
+        isDoneElsewhere = isDoneElsewhere || (excusable && first.verdict == Verdict::Fail &&
+                                              result.verdict == Verdict::Missing);
         if (rank(result.verdict) > rank(best.verdict))
             best = std::move(result);
         if (best.verdict == Verdict::Pass) {
@@ -184,7 +198,11 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     if (excusable && !replaced && isAtFault(best.verdict))
         best = withVerdict(check, Verdict::Human,
                            "Other files of the hand-in are wrong, and ours cannot stand for them, "
-                           "as they do not compile with its headers.");
+                           "as they do not go with its files.");
+    else if (isDoneElsewhere && isAtFault(best.verdict))
+        best = withVerdict(check, Verdict::Human,
+                           "The lights are chosen in a file that is wrong otherwise, and ours does "
+                           "not choose them like that.");
     if (onlyChoice) {
         const std::lock_guard<std::mutex> lock(m_mutex);
         m_chosenWrongly.emplace(check.id, std::move(withOwnChoice));
@@ -251,7 +269,7 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
     const auto run = [&](std::size_t i) {
         ReferenceAnswers known;
         CheckResult first = endless.empty()
-                                ? runOn(*checks[i], variant(studentPlan(group), group), known)
+                                ? runOn(*checks[i], ownVariant(group), known)
                                 : withVerdict(*checks[i], Verdict::Timeout, "Not run: " + endless);
         own[i] = first.verdict;
         results[i] = follow(*checks[i], group, std::move(first), known);

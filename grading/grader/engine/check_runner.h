@@ -51,6 +51,8 @@ private:
     /// Whether the group is at fault, and what its emitter returns.
     void remember(const Group &group, const std::vector<CheckResult> &results);
     const Variant &variant(const VariantPlan &plan, const Group &group);
+    /// The hand-in as it is.
+    const Variant &ownVariant(const Group &group);
     bool upstreamAtFault(const Group &group) const;
 
     const Sandbox &m_sandbox;

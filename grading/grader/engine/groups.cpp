@@ -129,6 +129,16 @@ VariantPlan studentPlan(const Group &group) {
     return plan;
 }
 
+VariantPlan wholePlan(const Group &group) {
+    VariantPlan plan = studentPlan(group);
+    plan.name = "student, all files";
+    for (const Group &each : groupTable()) {
+        for (const std::string &unit : each.own)
+            plan.origins[unit] = Origin::Student;
+    }
+    return plan;
+}
+
 std::vector<VariantPlan> mendedPlans(const Group &group, const std::set<std::string> &atFault,
                                      const SampleConventions &known) {
     VariantPlan plan = studentPlan(group);

@@ -33,6 +33,10 @@ const Group &findGroup(const std::string &id);
 /// The hand-in as it is: its own files for the group and everything upstream.
 VariantPlan studentPlan(const Group &group);
 
+/// With every file that any group judges: where the hand-in's files call each other otherwise than
+/// the table says.
+VariantPlan wholePlan(const Group &group);
+
 /// Whether Emitter::sample divides by the density, by unit: those of a hand-in that are known.
 using SampleConventions = std::map<std::string, bool>;
 

@@ -73,6 +73,16 @@ TEST(Groups, FollowThroughKeepsTheConventionsOfTheHandIn) {
     EXPECT_EQ(followThroughPlans(findGroup("area"), {{"area.cpp", false}}).size(), 1u);
 }
 
+TEST(Groups, AreAllInAWholePlan) {
+    const VariantPlan plan = wholePlan(findGroup("mesh"));
+    for (const Group &group : groupTable()) {
+        for (const std::string &unit : group.own)
+            EXPECT_EQ(plan.origins.at(unit), Origin::Student) << unit;
+    }
+    EXPECT_EQ(plan.judged, findGroup("mesh").own);
+    EXPECT_NE(plan.name, studentPlan(findGroup("mesh")).name);
+}
+
 TEST(Groups, MendWhatIsAtFaultAndNothingElse) {
     const Group &group = findGroup("direct_ems");
     EXPECT_TRUE(mendedPlans(group, {}, {}).empty());
