@@ -38,6 +38,7 @@ std::vector<float> answerOwn(const protocol::Request &request, const nori::Scene
     }
 }
 
+/// What OwnContext does to its twin.
 protocol::Request repeatFirst(protocol::Request request) {
     const std::size_t row = request.op == protocol::Op::MeshSample ? protocol::kPlanarDimension
                                                                    : protocol::kEmitterSampleInput;

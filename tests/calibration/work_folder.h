@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdlib.h>
+#include <support/work_folder.h>
 
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 
 namespace calibration {
 
 /// A folder of its own to work in: the probe writes its scene below the working folder.
 class WorkFolder {
 public:
-    WorkFolder() : m_before(std::filesystem::current_path()) {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "scene-calibration-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error(name + ": cannot be made");
-        m_path = name;
-        std::filesystem::current_path(m_path);
+    WorkFolder() { std::filesystem::current_path(m_folder.path()); }
+
+    ~WorkFolder() {
+        std::error_code ignored;
+        std::filesystem::current_path(m_before, ignored);
     }
 
     WorkFolder(const WorkFolder &) = delete;
@@ -26,15 +22,9 @@ public:
     WorkFolder &operator=(const WorkFolder &) = delete;
     WorkFolder &operator=(WorkFolder &&) = delete;
 
-    ~WorkFolder() {
-        std::error_code ignored;
-        std::filesystem::current_path(m_before, ignored);
-        std::filesystem::remove_all(m_path, ignored);
-    }
-
 private:
-    std::filesystem::path m_before;
-    std::filesystem::path m_path;
+    std::filesystem::path m_before = std::filesystem::current_path();
+    support::WorkFolder m_folder; ///< goes after its leaving
 };
 
 } // namespace calibration
