@@ -197,8 +197,8 @@ int hold(int argc, char **argv) {
     CLI::App app("Grades the hand-ins of tests/submissions and prints expected against got.\n"
                  "Exit code: 0 all as expected, 1 some not, 2 the exam could not be held.",
                  "exam");
-    app.add_option("--root", options.root, "Folder of the hand-ins")->required();
-    app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
+    exam::addPlace(app, "--root", options.root);
+    exam::addPlace(app, "--norigrade", options.norigrade);
     app.add_option("--seeds", options.seeds, "Grade accepted hand-ins with this many seeds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

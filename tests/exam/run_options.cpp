@@ -12,15 +12,19 @@ RunOptions::RunOptions()
     : jobs(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
 
 void addRunOptions(CLI::App &app, RunOptions &options) {
-    app.add_option("--project", options.places.project, "The project's folder")->required();
-    app.add_option("--norigrade", options.places.norigrade, "The program to examine")->required();
-    app.add_option("--cache", options.places.cache, "Where results are kept")->required();
+    addPlace(app, "--project", options.places.project);
+    addPlace(app, "--norigrade", options.places.norigrade);
+    addPlace(app, "--cache", options.places.cache);
     addOnlyAndRecord(app, options.only, options.record);
     app.add_option("--jobs", options.jobs, "Gradings at the same time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     app.footer("Results are kept: a second call grades only what has changed.\n"
                "Exit codes: 0 as it has to be, 1 not, 2 usage, 75 interrupted.");
+}
+
+void addPlace(CLI::App &app, const char *name, std::filesystem::path &place) {
+    app.add_option(name, place)->required()->group(""); // an empty group is not in the help
 }
 
 void addOnlyAndRecord(CLI::App &app, std::string &only, std::filesystem::path &record) {

@@ -26,6 +26,9 @@ struct RunOptions {
 /// Adds them, and a footer with the exit codes.
 void addRunOptions(CLI::App &app, RunOptions &options);
 
+/// A required path that `./run` passes, and `--help` therefore leaves out.
+void addPlace(CLI::App &app, const char *name, std::filesystem::path &place);
+
 /// `--only` and `--record`, which exclude each other: a table is written whole.
 void addOnlyAndRecord(CLI::App &app, std::string &only, std::filesystem::path &record);
 

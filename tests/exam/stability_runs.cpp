@@ -160,9 +160,7 @@ int measureStability(int argc, char **argv) {
                  "seeds, with two\nprocesses at the same time, and built without optimisation.",
                  "./run stability");
     addRunOptions(app, options);
-    app.add_option("--unoptimised", options.unoptimised,
-                   "The same program, which builds hand-ins with -O0")
-        ->required();
+    addPlace(app, "--unoptimised", options.unoptimised);
     app.add_option("--seeds", options.seeds, "Gradings of each hand-in, a seed each")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();

@@ -178,8 +178,8 @@ int measureVerdictTimes(int argc, char **argv) {
     CLI::App app("Measures how long hand-ins take that nobody has compiled before: by phase with "
                  "two processes, and per\nlost item until it is decided. For a quiet machine.",
                  "./run verdict-times");
-    app.add_option("--project", options.project, "The project's folder")->required();
-    app.add_option("--norigrade", options.norigrade, "The program to examine")->required();
+    addPlace(app, "--project", options.project);
+    addPlace(app, "--norigrade", options.norigrade);
     addOnlyAndRecord(app, options.only, options.record);
     app.add_option("--count", options.count,
                    "Hand-ins of each kind, evenly spaced: right ones, visibly wrong ones of "
