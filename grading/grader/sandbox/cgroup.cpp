@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -157,11 +158,14 @@ Cgroup::Cgroup(const CgroupPlaces &places, const BoxLimits &limits) : Cgroup(pla
     }
 }
 
-void Cgroup::add(pid_t process) {
+std::vector<Descriptor> Cgroup::entrances() const {
+    std::vector<Descriptor> entrances;
     for (const path &folder : m_folders) {
-        if (!writeFile(folder / "cgroup.procs", std::to_string(process)))
+        entrances.emplace_back(::open((folder / "cgroup.procs").c_str(), O_WRONLY | O_CLOEXEC));
+        if (!entrances.back())
             throw GraderError(fmt::format("{}: a process cannot be put in", folder.string()));
     }
+    return entrances;
 }
 
 bool Cgroup::ranOutOfMemory() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <grader/sandbox/box.h>
+#include <grader/sandbox/descriptor.h>
 
 #include <sys/types.h>
 
@@ -25,8 +26,9 @@ public:
     Cgroup(Cgroup &&) = delete;
     Cgroup &operator=(Cgroup &&) = delete;
 
-    /// Puts a process in. \throws GraderError
-    void add(pid_t process);
+    /// Files for writing: a process that writes "0" to each is in it.
+    /// \throws GraderError  if they cannot be opened
+    std::vector<Descriptor> entrances() const;
 
     /// True if the kernel has killed something in it for want of memory.
     bool ranOutOfMemory() const;

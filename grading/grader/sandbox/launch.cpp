@@ -9,11 +9,11 @@
 #include <fmt/core.h>
 
 #include <fcntl.h>
-#include <grp.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -22,6 +22,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 namespace grader {
 
@@ -67,10 +68,10 @@ rlim_t processesOf(uid_t user) {
     return count;
 }
 
-// From here to exec only calls that are safe after fork() in a program with threads.
+// From here to exec only calls that are safe after vfork(): the child shares the grader's memory.
 
 [[noreturn]] void childFails(const char *what) {
-    const char *reason = ::strerror(errno);
+    const char *reason = ::strerrordesc_np(errno);
     for (const char *text : {"sandbox: ", what, ": ", reason, "\n"}) {
         if (::write(STDERR_FILENO, text, std::strlen(text)) < 0)
             break;
@@ -82,7 +83,8 @@ struct ChildPlan {
     char *const *argv;
     const int *descriptors;
     int descriptorCount;
-    int goFd;
+    const int *groups; ///< Cgroup::entrances()
+    int groupCount;
     int logFd;
     int statusFd;
     int filterFd;
@@ -100,9 +102,11 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard, const char *wha
         childFails(what);
 }
 
+/// Not with the C library's functions, which would change the user of all of the grader's threads.
 bool become(uid_t user) {
-    return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
-           ::setresuid(user, user, user) == 0;
+    return ::syscall(SYS_setgroups, 0, nullptr) == 0 &&
+           ::syscall(SYS_setresgid, user, user, user) == 0 &&
+           ::syscall(SYS_setresuid, user, user, user) == 0;
 }
 
 void setLimits(const ChildPlan &plan, rlim_t processes) {
@@ -144,13 +148,28 @@ void giveDescriptors(const ChildPlan &plan) {
     ::close_range(kFilterFd + 1, ~0U, 0);
 }
 
-[[noreturn]] void runChild(const ChildPlan &plan) {
-    char go = 0;
-    while (::read(plan.goFd, &go, 1) < 0 && errno == EINTR) {
+/// The grader's handlers must not run in the child. What is ignored stays ignored, as after fork().
+void forgetHandlers() {
+    for (int signal = 1; signal <= SIGRTMAX; ++signal) {
+        struct sigaction action {};
+
+        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN ||
+            action.sa_handler == SIG_DFL)
+            continue;
+        action = {};
+        action.sa_handler = SIG_DFL;
+        ::sigaction(signal, &action, nullptr);
     }
-    if (go != 1)
-        ::_exit(1);
+}
+
+int runChild(void *argument) {
+    const ChildPlan &plan = *static_cast<const ChildPlan *>(argument);
+    for (int i = 0; i < plan.groupCount; ++i) {
+        if (::write(plan.groups[i], "0", 1) != 1) // the process that writes
+            childFails("a process cannot be put into its control group");
+    }
     giveDescriptors(plan);
+    forgetHandlers();
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -172,6 +191,22 @@ void giveDescriptors(const ChildPlan &plan) {
         childFails("no_new_privs");
     ::execv(kBubblewrap, plan.argv);
     childFails(kBubblewrap);
+}
+
+/// Like vfork(): this thread waits until the child has called exec or ended. fork() would mark all
+/// of the grader's memory as to be copied on the next write, some hundred times per hand-in.
+/// \return  the child, negative if there is none
+pid_t startWithSharedMemory(ChildPlan &plan) {
+    constexpr std::size_t kStackBytes = std::size_t{256} << 10;
+    const auto stack = std::make_unique_for_overwrite<char[]>(kStackBytes);
+    sigset_t all;
+    sigset_t before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);
+    const pid_t child =
+        ::clone(runChild, stack.get() + kStackBytes, CLONE_VM | CLONE_VFORK | SIGCHLD, &plan);
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return child;
 }
 
 } // namespace
@@ -235,13 +270,19 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
         throw GraderError("too many descriptors for a box");
     Pipe log = makePipe();
     Pipe status = makePipe();
-    Pipe go = makePipe();
     const Descriptor filter = seccompFilter(spec.mayFork);
+    const std::vector<Descriptor> entrances =
+        cgroup != nullptr ? cgroup->entrances() : std::vector<Descriptor>{};
+    std::vector<int> groups;
+    groups.reserve(entrances.size());
+    for (const Descriptor &entrance : entrances)
+        groups.push_back(entrance.get());
     ChildPlan plan{};
     plan.argv = argv.data();
     plan.descriptors = spec.descriptors.data();
     plan.descriptorCount = static_cast<int>(spec.descriptors.size());
-    plan.goFd = go.read.get();
+    plan.groups = groups.data();
+    plan.groupCount = static_cast<int>(groups.size());
     plan.logFd = log.write.get();
     plan.statusFd = status.write.get();
     plan.filterFd = filter.get();
@@ -261,28 +302,13 @@ Launched launch(const BoxSpec &spec, Cgroup *cgroup) {
     plan.addressBytes = spec.limits.memoryBytes * (cgroup != nullptr ? kReservedPerUsed : 1);
     plan.limits = &spec.limits;
 
-    const pid_t child = ::fork();
+    const pid_t child = startWithSharedMemory(plan);
     if (child < 0)
         throw GraderError("no process can be started: the machine has too many");
-    if (child == 0) {
-        go.write.close();
-        runChild(plan);
-    }
     Launched launched;
     launched.process = child;
     launched.log = std::move(log.read);
     launched.status = std::move(status.read);
-    try {
-        if (cgroup != nullptr)
-            cgroup->add(child);
-    } catch (...) {
-        ::kill(child, SIGKILL);
-        ::waitpid(child, nullptr, 0);
-        throw;
-    }
-    const char start = 1;
-    if (::write(go.write.get(), &start, 1) != 1)
-        throw GraderError("the sandbox's process ended before it began");
     return launched;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <grader/error.h>
 
+#include <fcntl.h>
+
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <limits>
@@ -39,14 +42,26 @@ TEST_F(ControlGroup, IsThereForAsLongAsItsObject) {
 }
 
 TEST_F(ControlGroup, KillsWhatIsInIt) {
+    Cgroup group(m_places, {});
+    const std::vector<Descriptor> entrances = group.entrances();
+    std::array<int, 2> entered{};
+    ASSERT_EQ(::pipe2(entered.data(), O_CLOEXEC), 0);
+    const Descriptor read(entered[0]);
+    Descriptor write(entered[1]);
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
+        for (const Descriptor &entrance : entrances) {
+            if (::write(entrance.get(), "0", 1) != 1)
+                ::_exit(1);
+        }
+        write.close();
         for (;;)
             ::pause();
     }
-    Cgroup group(m_places, {});
-    group.add(child);
+    write.close();
+    char none = 0;
+    ASSERT_EQ(::read(read.get(), &none, 1), 0); // the child has entered, or is dead
     // Its dead members leave it before anyone has waited for them.
     group.killAll();
     int status = 0;
