@@ -70,15 +70,30 @@ TEST(TripleLock, NeitherPassesNorFailsOnWhatIsNoNumber) {
     EXPECT_EQ(replay({unreliable}).decision, Decision::Inconclusive);
 }
 
-TEST(TripleLock, ConfirmsAGrossErrorOnce) {
+TEST(TripleLock, ConfirmsAGrossErrorWithSmallerSamples) {
     StageResult gross = rejecting();
     gross.z = 12.0;
     gross.effect = 0.06;
     const LockConfig config{.tolerance = 0.01};
-    EXPECT_EQ(replay({gross, rejecting()}, config).decision, Decision::Fail);
-    EXPECT_EQ(replay({gross, rejecting()}, config).stages.size(), 2U);
-    gross.effect = 0.04; // as certain, but small: the whole lock
-    EXPECT_EQ(replay({gross, rejecting(), rejecting()}, config).stages.size(), 3U);
+    const auto factorsOf = [&](const StageResult &first) {
+        std::vector<int> factors;
+        const LockResult result = tripleLock(
+            [&](const StageRequest &request) {
+                factors.push_back(request.sampleFactor);
+                return request.index == 0 ? first : rejecting();
+            },
+            config);
+        EXPECT_EQ(result.decision, Decision::Fail);
+        return factors;
+    };
+    EXPECT_EQ(factorsOf(gross), (std::vector<int>{1, 1, 4}));
+    gross.effect = 0.04; // as certain, but small
+    EXPECT_EQ(factorsOf(gross), (std::vector<int>{1, 4, 16}));
+    StageResult quiet;
+    quiet.pValue = 0.5;
+    gross.effect = 0.06;
+    EXPECT_EQ(replay({gross, rejecting(), quiet}, config).decision, Decision::Pass)
+        << "three must agree on what is gross, too";
 }
 
 TEST(DeviationAgreement, IsTheCosine) {

@@ -68,7 +68,7 @@ TEST(JudgeRadiance, NamesAForgottenPickProbability) {
     const CheckResult result = judgeRadiance(context, test);
     EXPECT_EQ(result.verdict, Verdict::Fail);
     EXPECT_EQ(result.diagnoses.at(0).id, "ems.pick_pdf_forgotten");
-    EXPECT_EQ(context.asked, 2) << "a gross error needs one confirmation only";
+    EXPECT_EQ(context.asked, 3) << "three stages of one look each";
 }
 
 TEST(JudgeRadiance, FailsInvalidSamplesOnlyAboveWhatTheFilmDrops) {
