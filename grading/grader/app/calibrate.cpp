@@ -13,10 +13,10 @@
 #include <grader/calibration/measurements.h>
 #include <grader/digest.h>
 #include <grader/engine/engine.h>
+#include <grader/engine/engine_digest.h>
 #include <grader/error.h>
 #include <grader/results/safe_text.h>
 #include <grader/scoring/points.h>
-#include <grader/text_file.h>
 
 #include <fmt/format.h>
 
@@ -70,10 +70,11 @@ public:
           m_rubric(rubric),
           m_sandbox(sandbox),
           m_interrupted(interrupted),
-          // Whatever is built anew measures anew.
-          m_program(sha256Hex(readTextFile("/proc/self/exe"))) {
-        for (const RubricItem &item : rubric.items)
-            m_program += "|" + item.id;
+          m_measures(engineDigest()) {
+        for (const RubricItem &item : rubric.items) {
+            for (const RubricCheck &check : item.checks)
+                m_measures += "|" + check.id;
+        }
     }
 
     std::vector<CheckResult> measure(const CorpusCase &which, int round,
@@ -83,7 +84,7 @@ public:
         composeCase(which, folder);
         const Submission submission = readSubmission(folder);
         const std::string digest =
-            sha256Hex(m_program + "|" + submission.digest + "|" + seedOf(round));
+            sha256Hex(m_measures + "|" + submission.digest + "|" + seedOf(round));
         const fs::path file = m_cache.entry("calibrations", digest, ".json");
         if (auto known = readMeasurements(file))
             return *known;
@@ -111,7 +112,7 @@ private:
     const Rubric &m_rubric;
     const Sandbox &m_sandbox;
     const std::atomic<bool> &m_interrupted;
-    std::string m_program;
+    std::string m_measures; ///< the engine and the checks: another one measures anew
     Cache m_cache;
     std::size_t m_measured = 0;
 };
@@ -150,23 +151,43 @@ void dropForeign(const Rubric &rubric, std::vector<CorpusCase> &cases) {
                 cases.end());
 }
 
+/// What the hand-ins that were tried cannot tell of a rubric, a sentence each.
+std::vector<std::string> gapsOf(const Rubric &rubric, const std::vector<CorpusCase> &cases) {
+    std::vector<std::string> gaps;
+    for (const std::string &item : untriedItems(rubric, cases))
+        gaps.push_back(item + ": no hand-in with a mistake in it was tried");
+    if (std::none_of(cases.begin(), cases.end(),
+                     [](const CorpusCase &each) { return each.isRight(); }))
+        gaps.emplace_back("no hand-in was tried that is right");
+    if (std::none_of(cases.begin(), cases.end(),
+                     [](const CorpusCase &each) { return each.isStarter; }))
+        gaps.emplace_back("what is handed out was not tried");
+    return gaps;
+}
+
+/// So that a corpus that is not as it must be is told before the first grading.
+/// \throws GraderError  if one cannot be put together
+void composeAll(const std::vector<CorpusCase> &cases) {
+    for (const CorpusCase &each : cases)
+        composeCase(each, WorkFolder().path() / "hand-in");
+}
+
 ExitCode finish(const CalibrateCommand &command, const Rubric &rubric,
                 const std::vector<CorpusCase> &cases, std::size_t wrong) {
     printBound(rubric, command.classSize);
-    const std::vector<std::string> untried = untriedItems(rubric, cases);
-    for (const std::string &item : untried)
-        fmt::print("{}: no hand-in with a mistake in it was tried\n", item);
+    const std::vector<std::string> gaps = gapsOf(rubric, cases);
+    for (const std::string &gap : gaps)
+        fmt::print("{}\n", gap);
     fmt::print("{} of {} hand-ins are told apart as they must be\n", cases.size() - wrong,
                cases.size());
     if (!command.only.empty())
         fmt::print(
             "only those with \"{}\" in their name were tried: of the others nothing is said\n",
             command.only);
-    if (wrong > 0 || (command.freeze && !untried.empty())) {
+    if (wrong > 0 || (command.freeze && !gaps.empty())) {
         if (command.freeze)
             complain("not frozen: " +
-                     std::string(wrong > 0 ? "the rubric does not tell all hand-ins apart"
-                                           : "not every item was tried on the whole corpus"));
+                     (wrong > 0 ? "the rubric does not tell all hand-ins apart" : gaps.front()));
         return ExitCode::CheckFailed;
     }
     if (command.freeze) {
@@ -184,16 +205,20 @@ ExitCode calibrate(const CalibrateCommand &command, const Rubric &rubric,
     ProgressLine progress(true);
     const auto start = std::chrono::steady_clock::now();
     std::size_t wrong = 0;
+    std::size_t measuredCases = 0; // the others were known: they take no time
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const CorpusCase &which = cases[i];
         std::vector<std::string> findings;
+        const std::size_t before = measurer.measured();
         for (int round = 0; round < command.seeds && findings.empty(); ++round) {
-            const double seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            const std::string left = i > 0 ? fmt::format(", about {:.0f} min left",
-                                                         seconds / 60 / static_cast<double>(i) *
-                                                             static_cast<double>(cases.size() - i))
-                                           : "";
+            const double minutes =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+                60;
+            const std::string left =
+                measuredCases > 0 ? fmt::format(", about {:.0f} min left",
+                                                minutes / static_cast<double>(measuredCases) *
+                                                    static_cast<double>(cases.size() - i))
+                                  : "";
             const std::string what =
                 fmt::format("{}/{}{} {}", i + 1, cases.size(), left, which.name);
             try {
@@ -211,6 +236,7 @@ ExitCode calibrate(const CalibrateCommand &command, const Rubric &rubric,
             }
         }
         progress.clear();
+        measuredCases += measurer.measured() > before ? 1 : 0;
         wrong += findings.empty() ? 0 : 1;
         fmt::print("{} {}\n", findings.empty() ? "ok  " : "MISS", safeLine(which.name));
         for (const std::string &finding : findings)
@@ -234,6 +260,7 @@ ExitCode run(const CalibrateCommand &command) {
         cases = readCorpus(command.corpus.empty() ? projectFolder() / "tests" : command.corpus,
                            command.only);
         dropForeign(rubric, cases);
+        composeAll(cases);
     } catch (const GraderError &error) {
         return run(UsageMistake{error.what()});
     }

@@ -2,9 +2,6 @@
 #include "provenance.h"
 
 #include <grader/build/base.h>
-#include <grader/digest.h>
-
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <memory>
@@ -12,15 +9,6 @@
 namespace grader {
 
 namespace {
-
-std::string digestOf(const Base &base) {
-    std::string all;
-    for (const Files *files : {&base.headers, &base.units}) {
-        for (const auto &[name, text] : *files)
-            all += fmt::format("{} {}\n{}", name, text.size(), text);
-    }
-    return sha256Hex(all);
-}
 
 /// First line of `g++ --version`; the grader's compiler is Debian's, no hand-in has a say in it.
 std::string compilerVersion() {

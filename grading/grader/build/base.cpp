@@ -2,6 +2,7 @@
 #include "base.h"
 
 #include <grader/build/starter.h>
+#include <grader/digest.h>
 #include <grader/error.h>
 #include <grader/text_file.h>
 
@@ -77,6 +78,15 @@ const Base &referenceBase() {
 const Base &starterBase() {
     static const Base base = stripSolutions(referenceBase());
     return base;
+}
+
+std::string digestOf(const Base &base) {
+    std::string all;
+    for (const Files *files : {&base.headers, &base.units}) {
+        for (const auto &[name, text] : *files)
+            all += fmt::format("{} {}\n{}", name, text.size(), text);
+    }
+    return sha256Hex(all);
 }
 
 const Files &probeUnits() {

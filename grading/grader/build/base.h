@@ -25,6 +25,9 @@ const Base &starterBase();
 /// Our complete renderer. Only single units of it enter a box, upstream of what is judged.
 const Base &referenceBase();
 
+/// SHA-256 of all names and texts.
+std::string digestOf(const Base &base);
+
 /// The probe's and protocol's sources, by their path below grading/ (`probe/main.cpp`).
 const Files &probeUnits();
 

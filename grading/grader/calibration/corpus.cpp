@@ -163,8 +163,10 @@ void composeCase(const CorpusCase &which, const fs::path &to) {
         throw GraderError(fmt::format("{}: there is no base {}", which.name, which.base.string()));
     if (!which.base.empty())
         copyOver(which.base, to);
-    for (const std::string &file : which.without)
-        fs::remove(to / file);
+    for (const std::string &file : which.without) {
+        if (!fs::remove(to / file))
+            throw GraderError(fmt::format("{}: without {}, which is not there", which.name, file));
+    }
     if (!which.own.empty())
         copyOver(which.own, to);
     for (const TextChange &change : which.changes)

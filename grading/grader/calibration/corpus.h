@@ -30,6 +30,9 @@ struct CorpusCase {
     std::vector<std::string> lost; ///< items that must lose points
     std::vector<std::string> free; ///< items of which nothing is asked
     bool windowsLines = false;
+
+    /// Whether nothing is wrong with it, or left out.
+    bool isRight() const { return !isStarter && lost.empty() && free.empty(); }
 };
 
 /// Accepted, starter and wrong hand-ins, mutants and variants below `root`, by name. Hostile and

@@ -80,6 +80,9 @@ std::vector<std::string> judgeCase(const Rubric &rubric, const CorpusCase &which
         const ItemResult &item = result.items[i];
         if (item.verdict == Verdict::Infra)
             findings.push_back(fmt::format("{} could not be tested: {}", item.id, item.reason));
+        else if (which.isRight() && item.verdict == Verdict::Human)
+            findings.push_back(fmt::format("{} is right, and someone has to look at it: {}",
+                                           item.id, item.reason));
         else if (contains(which.free, item.id))
             continue;
         else if (which.isStarter) {
@@ -92,8 +95,8 @@ std::vector<std::string> judgeCase(const Rubric &rubric, const CorpusCase &which
         } else if (!isFull(item))
             findings.push_back(explainLoss(item));
     }
-    const bool isRight = !which.isStarter && which.lost.empty() && which.free.empty();
-    if (isRight && findings.empty() && toHundredths(result.total) < toHundredths(rubric.cap))
+    if (which.isRight() && findings.empty() &&
+        toHundredths(result.total) < toHundredths(rubric.cap))
         findings.push_back(fmt::format("everything is right and gives {} of {}: the items do not "
                                        "add up to the cap",
                                        formatPoints(result.total), formatPoints(rubric.cap)));

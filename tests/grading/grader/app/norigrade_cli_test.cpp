@@ -74,14 +74,15 @@ TEST_F(Norigrade, GradesOneItemAsInAWholeRun) {
     EXPECT_NE(unknown.errors.find("no item \"area\""), std::string::npos) << unknown.errors;
 }
 
-/// A rubric of one item, and a corpus of a right hand-in and a wrong one.
+/// A rubric of one item, and a corpus of a right hand-in, a wrong one and what is handed out.
 struct SmallCourse {
     explicit SmallCourse(const std::filesystem::path &folder)
         : rubric(folder / "disk.toml"), corpus(folder / "corpus") {
         std::ofstream(rubric) << "schema = 1\n[assignment]\nid = \"disk\"\ntitle = \"Disk\"\n"
                                  "cap = 10\nextras = \"ignore\"\nmin_sandbox = \"S2\"\n"
                                  "[[item]]\nid = \"warp.disk\"\ntitle = \"Disk\"\npoints = 10\n";
-        for (const char *handIn : {"accepted/reference", "wrong/disk_pdf_one"}) {
+        for (const char *handIn :
+             {"accepted/reference", "starter/unmodified", "wrong/disk_pdf_one"}) {
             const std::filesystem::path to = corpus / "submissions" / handIn;
             std::filesystem::create_directories(to.parent_path());
             std::filesystem::copy(std::filesystem::path(NORI_SOURCE_DIR) / "tests/submissions" /
@@ -108,7 +109,7 @@ TEST_F(Norigrade, FreezesARubricThatTellsTheCorpusApart) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output << outcome.errors;
     EXPECT_NE(outcome.output.find("ok   submissions/wrong/disk_pdf_one"), std::string::npos)
         << outcome.output;
-    EXPECT_NE(outcome.output.find("2 of 2 hand-ins are told apart"), std::string::npos)
+    EXPECT_NE(outcome.output.find("3 of 3 hand-ins are told apart"), std::string::npos)
         << outcome.output;
     EXPECT_NE(outcome.output.find("for 30 hand-ins"), std::string::npos) << outcome.output;
     EXPECT_TRUE(std::filesystem::exists(course.rubric.string() + ".frozen"));
@@ -129,6 +130,17 @@ TEST_F(Norigrade, RefusesToFreezeARubricThatDoesNotAndSaysWhatIsMissing) {
               std::string::npos)
         << outcome.errors;
     EXPECT_FALSE(std::filesystem::exists(course.rubric.string() + ".frozen"));
+}
+
+TEST_F(Norigrade, RefusesToFreezeWhatWasNotTriedOnTheStarter) {
+    const SmallCourse course(m_scratch);
+    std::filesystem::remove_all(course.corpus / "submissions/starter");
+    const exam::Outcome outcome =
+        run({"calibrate", course.rubric.string(), "--corpus", course.corpus.string(), "--freeze"});
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output << outcome.errors;
+    EXPECT_NE(outcome.errors.find("not frozen: what is handed out was not tried"),
+              std::string::npos)
+        << outcome.errors;
 }
 
 TEST_F(Norigrade, SaysWhatIsWrongWithItsArguments) {

@@ -79,6 +79,9 @@ TEST_F(CorpusTest, says_what_is_wrong_with_it) {
           "base = \"accepted/all\"\nitem = \"warp.disk\"\n"
           "[[change]]\nfile = \"src/warp.cpp\"\nold = \"1\"\nnew = \"1\"\n");
     EXPECT_THROW(composed("three"), GraderError);
+    write("mutants/disk/three.toml",
+          "base = \"accepted/all\"\nitem = \"warp.disk\"\nwithout = [\"src/scene.cpp\"]\n");
+    EXPECT_THROW(composed("three"), GraderError);
     write("mutants/disk/three.toml", "base = \n");
     EXPECT_THROW(readCorpus(m_root, ""), GraderError);
 }

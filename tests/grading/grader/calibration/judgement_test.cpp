@@ -77,6 +77,16 @@ TEST(JudgeCase, says_which_weight_or_tolerance_makes_a_mistake_free) {
     EXPECT_NE(findingWith(check, 1).find("its weight is 0"), std::string::npos);
 }
 
+TEST(JudgeCase, lets_nobody_look_at_right_code) {
+    const std::vector<CheckResult> outcomes = outcomesOf(Verdict::Pass, 0, Verdict::Human);
+    const auto findings = judgeCase(rubricOf(), CorpusCase(), outcomes);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_NE(findings[0].find("someone has to look"), std::string::npos) << findings[0];
+    CorpusCase optional; // the part is not in it
+    optional.free = {"area"};
+    EXPECT_TRUE(judgeCase(rubricOf(), optional, outcomes).empty());
+}
+
 TEST(JudgeCase, tells_of_points_that_right_code_loses) {
     EXPECT_EQ(judgeCase(rubricOf(), CorpusCase(), outcomesOf(Verdict::Fail, 0.2)).size(), 1U);
     EXPECT_EQ(
