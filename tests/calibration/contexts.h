@@ -45,6 +45,7 @@ private:
 /// The scene that was asked about last stays loaded; those before it are never freed (SceneStore).
 class LoadedScenes {
 public:
+    /// With Integrator::preprocess() called.
     /// \throws whatever loading throws
     nori::Scene &get(const protocol::RequestGroup &group, const std::string &name);
 
@@ -54,11 +55,13 @@ private:
     std::optional<probe::SceneStore> m_scenes;
 };
 
-/// Questions about points of meshes and emitters, answered by our own renderer.
+/// Questions about points of meshes, emitters and the radiance along rays, answered by our own
+/// renderer.
 class OwnContext : public LocalContext {
 public:
     /// \param sceneSeed  decides the scene instead of `seed`
-    /// \param isTwin     every twentieth sample is the first one again, which is wrong
+    /// \param isTwin     every twentieth sample is the first one again, and radiance is too bright,
+    ///                   which is wrong
     OwnContext(LoadedScenes &scenes, std::uint64_t sceneSeed, std::uint64_t seed, bool isTwin)
         : LocalContext(seed), m_scenes(scenes), m_sceneSeed(sceneSeed), m_isTwin(isTwin) {}
 

@@ -27,9 +27,10 @@ bool runPowerOfStatistics(int runs, const std::string &only, std::uint64_t seed)
 bool runJudgements(int judgements, const std::string &only, std::uint64_t seed);
 
 /// How often the first of three stages rejects correct code in whole judgements of the grader, for
-/// each kind of evidence of stage_levels.toml that is not counted by `./run warp-calibrate`.
-/// \param only  part of the kinds' names: cells, images, noise
-/// \throws std::runtime_error  if correct code is accused, or a planted mistake is not
+/// each kind of evidence of stage_levels.toml that is not counted by `./run warp-calibrate`; the
+/// part that rejects most often stands for its kind. \param only  part of the kinds' names: cells,
+/// images, noise \throws std::runtime_error  if correct code is accused, or a planted mistake is
+/// not
 void runStages(int judgements, const std::string &only, std::uint64_t seed);
 
 } // namespace calibration

@@ -58,8 +58,8 @@ StageLevel readLevel(TomlTable &table) {
 std::string describeLevel(const FalseAlarmPart &part) {
     if (!part.measured)
         return "nominal levels 1e-4, 1e-4 and 1e-5, not measured";
-    return fmt::format("measured at 1e-4: {} of {} stages reject right code, below {:.2g} (95 %); "
-                       "{}",
+    return fmt::format("measured at 1e-4 where right code is rejected most often: {} of {} stages, "
+                       "below {:.2g} (95 %); {}",
                        part.measured->rejections, part.measured->runs, part.measured->bound(),
                        part.measured->how);
 }
@@ -134,7 +134,7 @@ std::string describeBound(const FalseAlarmBound &bound, int classSize) {
                             whatOf(part.evidence), part.perHandIn, part.locks, part.checks.size(),
                             describeLevel(part));
     if (!bound.unbounded.empty())
-        text += fmt::format("  not composed, as a fixed tolerance decides: {}\n",
+        text += fmt::format("  not composed, as a tolerance decides and not a level: {}\n",
                             fmt::join(bound.unbounded, ", "));
     return text;
 }

@@ -12,7 +12,8 @@
 
 namespace grader {
 
-/// How often single stages rejected right code at the level of the first stage, as it was counted.
+/// How often single stages rejected right code at the level of the first stage, as it was counted
+/// where they do so most often: the cube of a mean level is no bound of the mean of the cubes.
 struct StageLevel {
     Evidence evidence = Evidence::Fixed;
     std::string how; ///< command, commit, and what was right
