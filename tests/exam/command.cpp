@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "command.h"
 
+#include <grader/text_file.h>
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -11,8 +13,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "expectation.h"
 
@@ -21,11 +21,6 @@ namespace exam {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string readFile(const fs::path &file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::vector<char *> pointers(std::vector<std::string> &texts) {
     std::vector<char *> result;
@@ -75,8 +70,8 @@ Outcome runCommand(const std::vector<std::string> &command, const fs::path &scra
     }
     Outcome outcome;
     outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    outcome.output = readFile(output);
-    outcome.errors = readFile(errors);
+    outcome.output = grader::readTextFile(output);
+    outcome.errors = grader::readTextFile(errors);
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -118,6 +118,10 @@ bool GradedItem::isFull() const {
     return points >= max - kRounding;
 }
 
+bool GradedItem::needsHuman() const {
+    return verdict == "human";
+}
+
 std::string gradeToJson(const std::filesystem::path &norigrade, const std::filesystem::path &handIn,
                         const Question &question, int jobs, const std::filesystem::path &scratch) {
     std::vector<std::string> command = {norigrade.string(),

@@ -28,6 +28,7 @@ struct GradedItem {
     std::vector<GradedCheck> checks;
 
     bool isFull() const;
+    bool needsHuman() const; ///< its points are kept until a person has looked
 };
 
 struct GradedFigure {

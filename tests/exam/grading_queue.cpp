@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <thread>
@@ -21,41 +18,6 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> interrupted = false; // NOLINT: a signal can reach nothing else
 
-/// What is left to do, in one line of the terminal.
-class Progress {
-public:
-    explicit Progress(std::size_t tasks)
-        : m_tasks(tasks),
-          m_start(std::chrono::steady_clock::now()),
-          m_terminal(isatty(STDERR_FILENO) != 0) {}
-
-    void clear() const {
-        if (m_terminal)
-            std::cerr << "\r\x1b[K" << std::flush;
-    }
-
-    void add(bool isNew) {
-        ++m_done;
-        m_new += isNew ? 1 : 0;
-        if (!m_terminal || m_new == 0)
-            return;
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-        const double left =
-            seconds / static_cast<double>(m_new) * static_cast<double>(m_tasks - m_done);
-        std::cerr << fmt::format("{} of {}, {:.0f} min left", m_done, m_tasks, left / 60)
-                  << std::flush;
-    }
-
-    std::size_t done() const { return m_done; }
-
-private:
-    std::size_t m_tasks;
-    std::size_t m_done = 0, m_new = 0;
-    std::chrono::steady_clock::time_point m_start;
-    bool m_terminal;
-};
-
 /// `disk/no_root --item warp.disk --seed ...`
 std::string describe(const GradingTask &task) {
     return fmt::format("{}{} --seed {}{}", task.name,
@@ -66,14 +28,25 @@ std::string describe(const GradingTask &task) {
 
 } // namespace
 
-std::string describeSetAside(const std::vector<std::string> &names) {
-    if (names.empty())
-        return "";
-    return fmt::format("\nSet aside, because the grader itself failed {} times:\n\n- {}\n", kTries,
-                       fmt::join(names, "\n- "));
+void Failures::add(const Failures &more) {
+    setAside.insert(setAside.end(), more.setAside.begin(), more.setAside.end());
+    repeated += more.repeated;
+}
+
+std::string Failures::describe() const {
+    std::string text;
+    if (repeated > 0)
+        text += fmt::format("\nIn this call {} {} needed another try, because the grader itself "
+                            "failed at first.\n",
+                            repeated, repeated == 1 ? "grading" : "gradings");
+    if (!setAside.empty())
+        text += fmt::format("\nSet aside, because the grader itself failed {} times:\n\n- {}\n",
+                            kTries, fmt::join(setAside, "\n- "));
+    return text;
 }
 
 void catchInterrupts() {
+    interrupted = false;
     for (const int signal : {SIGINT, SIGTERM})
         std::signal(signal, [](int) { interrupted = true; });
 }
@@ -92,59 +65,60 @@ GradingQueue::GradingQueue(const GradingPlaces &places, int atOnce)
                places.project / "scenes" / "assignment-2" / "serapis"}) {}
 
 std::string GradingQueue::grade(const GradingTask &task, const fs::path &handIn,
-                                const fs::path &scratch) const {
-    for (int left = kTries - 1;; --left) {
+                                const fs::path &scratch, int &tries) {
+    for (tries = 1;; ++tries) {
         try {
             return gradeToJson(m_norigrade, handIn, task.question, task.processes, scratch);
-        } catch (const InfraError &) {
-            if (left == 0 || interrupted)
+        } catch (const InfraError &error) {
+            if (tries == kTries || interrupted)
                 throw;
+            const std::lock_guard lock(m_mutex);
+            m_progress.clear();
+            std::cerr << fmt::format("{}: tried again: {}\n", describe(task), error.what());
         }
     }
 }
 
-std::string GradingQueue::resultOf(const GradingTask &task, const fs::path &scratch,
-                                   bool &isNew) const {
+std::string GradingQueue::resultOf(const GradingTask &task, const fs::path &scratch, int &tries) {
     const fs::path handIn = task.compose(scratch);
     std::string question = task.question.seed + task.question.item;
     if (task.processes > 1)
         question += fmt::format(" on {}", task.processes);
     const std::string key = m_cache.key(handIn, question);
-    const std::optional<std::string> known = m_cache.find(key);
-    isNew = !known;
-    if (known)
+    if (const std::optional<std::string> known = m_cache.find(key))
         return *known;
-    std::string json = grade(task, handIn, scratch);
+    std::string json = grade(task, handIn, scratch, tries);
     m_cache.store(key, json);
     return json;
 }
 
 std::size_t GradingQueue::run(const std::vector<GradingTask> &tasks, const Receiver &receive) {
     std::atomic<std::size_t> next = 0;
-    std::mutex mutex; // of all that follows
-    Progress progress(tasks.size());
     std::string error;
+    m_progress = Progress(tasks.size());
     std::atomic<bool> stopped = false;
     const auto perform = [&](std::size_t at) {
         const fs::path scratch = m_work.path() / fmt::format("{}", at);
         try {
             fs::create_directories(scratch);
-            bool isNew = false;
-            const std::string json = resultOf(tasks[at], scratch, isNew);
-            const std::lock_guard lock(mutex);
-            progress.clear();
+            int tries = 0;
+            const std::string json = resultOf(tasks[at], scratch, tries);
+            const std::lock_guard lock(m_mutex);
+            m_progress.clear();
             receive(at, json);
-            progress.add(isNew);
+            m_failures.repeated += tries > 1 ? 1 : 0;
+            m_progress.add(tries > 0);
         } catch (const InfraError &what) {
-            const std::lock_guard lock(mutex);
+            const std::lock_guard lock(m_mutex);
             if (!interrupted) {
-                m_setAside.push_back(describe(tasks[at]));
-                progress.clear();
-                std::cerr << fmt::format("{}: set aside: {}\n", m_setAside.back(), what.what());
-                progress.add(true);
+                m_failures.setAside.push_back(describe(tasks[at]));
+                m_progress.clear();
+                std::cerr << fmt::format("{}: set aside: {}\n", m_failures.setAside.back(),
+                                         what.what());
+                m_progress.add();
             }
         } catch (const std::exception &what) {
-            const std::lock_guard lock(mutex);
+            const std::lock_guard lock(m_mutex);
             if (!interrupted && !stopped)
                 error = fmt::format("{}: {}", tasks[at].name, what.what());
             stopped = true;
@@ -162,10 +136,10 @@ std::size_t GradingQueue::run(const std::vector<GradingTask> &tasks, const Recei
         });
     for (std::thread &thread : threads)
         thread.join();
-    progress.clear();
+    m_progress.clear();
     if (!error.empty())
         throw ExamError(error);
-    return progress.done();
+    return m_progress.done();
 }
 
 std::string commitOf(const fs::path &project) {

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "grading.h"
+#include "progress.h"
 #include "result_cache.h"
 #include "work_folder.h"
 
@@ -16,10 +17,19 @@ constexpr int kInterrupted = 75;
 /// Gradings in which the grader itself fails, until one is set aside.
 constexpr int kTries = 3;
 
-/// What was set aside, for people and as Markdown; empty if nothing was.
-std::string describeSetAside(const std::vector<std::string> &names);
+/// Gradings in which the grader itself failed.
+struct Failures {
+    std::vector<std::string> setAside; ///< every time: what could not be graded
+    std::size_t repeated = 0;          ///< at first, and not when they were tried again
 
-/// From now on SIGINT and SIGTERM end no process, but every queue after the gradings at hand.
+    void add(const Failures &more);
+
+    /// For people and as Markdown; empty if there were none.
+    std::string describe() const;
+};
+
+/// Forgets earlier ones. From now on SIGINT and SIGTERM end no process, but every queue after the
+/// gradings at hand.
 void catchInterrupts();
 bool isInterrupted();
 
@@ -54,20 +64,22 @@ public:
     ///                    throws
     std::size_t run(const std::vector<GradingTask> &tasks, const Receiver &receive);
 
-    /// Gradings that could not be made, as they can be repeated by hand.
-    const std::vector<std::string> &setAside() const { return m_setAside; }
+    /// What was set aside is named as it can be repeated by hand.
+    const Failures &failures() const { return m_failures; }
 
 private:
+    /// \param tries  how many it took; unchanged if the result is known
+    std::string resultOf(const GradingTask &task, const std::filesystem::path &scratch, int &tries);
     std::string grade(const GradingTask &task, const std::filesystem::path &handIn,
-                      const std::filesystem::path &scratch) const;
-    std::string resultOf(const GradingTask &task, const std::filesystem::path &scratch,
-                         bool &isNew) const;
+                      const std::filesystem::path &scratch, int &tries);
 
     std::filesystem::path m_norigrade;
     int m_atOnce;
     ResultCache m_cache;
     WorkFolder m_work;
-    std::vector<std::string> m_setAside;
+    std::mutex m_mutex; ///< of what follows, and of the receiver
+    Progress m_progress{0};
+    Failures m_failures;
 };
 
 /// What `git describe` says of the project, for records.

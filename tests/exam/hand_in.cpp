@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "hand_in.h"
 
+#include <grader/text_file.h>
+
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "command.h"
@@ -19,11 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *kExpectation = "expected.toml";
-
-std::string readFile(const fs::path &file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Files below `folder`, sorted, so that every run packs the same bytes in the same order.
 std::vector<fs::path> filesBelow(const fs::path &folder) {
@@ -59,7 +54,7 @@ void pack(const fs::path &folder, const fs::path &zip) {
     check(archive_write_set_format_zip(writer.get()));
     check(archive_write_open_filename(writer.get(), zip.c_str()));
     for (const fs::path &file : filesBelow(folder)) {
-        const std::string bytes = readFile(file);
+        const std::string bytes = grader::readTextFile(file);
         archive_entry_clear(entry.get());
         archive_entry_set_pathname(entry.get(), file.lexically_relative(folder).c_str());
         archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));

@@ -11,6 +11,8 @@ namespace exam {
 
 namespace {
 
+constexpr const char *kHuman = "a person must look";
+
 bool contains(const std::vector<std::string> &ids, const std::string &id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -43,8 +45,10 @@ bool lostRightly(const Patch &patch, const GradedItem &item) {
 
 /// Of the item that is meant.
 void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement) {
-    judgement.asExpected = lostRightly(patch, item);
-    judgement.lost = patch.cost == Patch::Cost::Blemish ? judgement.asExpected : !item.isFull();
+    // Until a person has looked nothing is found, and nothing lost.
+    judgement.asExpected = lostRightly(patch, item) && !item.needsHuman();
+    judgement.lost = patch.cost == Patch::Cost::Blemish ? judgement.asExpected
+                                                        : !item.isFull() && !item.needsHuman();
     const std::vector<std::string> told = diagnosesOf(item);
     for (std::size_t i = 0; i < told.size() && judgement.diagnosisRank == 0; ++i) {
         if (contains(patch.diagnoses, told[i])) {
@@ -55,6 +59,8 @@ void judgeItem(const Patch &patch, const GradedItem &item, Judgement &judgement)
     judgement.got += fmt::format("{} {:.4g}/{:g}", item.id, item.points, item.max);
     if (judgement.lost)
         judgement.got += fmt::format(" \"{}\"", told.empty() ? item.reason : told.front());
+    if (item.needsHuman())
+        judgement.got += fmt::format(": {}: {}", kHuman, item.reason);
 }
 
 bool isExcused(const Patch &patch, const GradedItem &item) {
@@ -126,11 +132,16 @@ Judgement judge(const Patch &patch, const Graded &graded) {
              std::any_of(item.checks.begin(), item.checks.end(), [](const GradedCheck &check) {
                  return check.found() && check.severity != "blemish";
              }));
-        if ((item.isFull() && !remarked) || isExcused(patch, item))
+        judgement.humans += item.needsHuman() ? 1 : 0;
+        const bool isRight = item.isFull() && !remarked;
+        if ((isRight && !item.needsHuman()) || isExcused(patch, item))
             continue;
-        judgement.othersFull = false;
+        // Downstream of a mistake a person may have to look, but not at what is right.
+        if (!isRight || patch.item.empty())
+            judgement.othersFull = false;
         judgement.got +=
-            fmt::format("; {} {:.4g}/{:g}: {}", item.id, item.points, item.max, item.reason);
+            fmt::format("; {} {:.4g}/{:g}: {}{}", item.id, item.points, item.max,
+                        item.needsHuman() ? std::string(kHuman) + ": " : "", item.reason);
     }
     judgement.asExpected = judgement.asExpected && judgement.othersFull;
     return judgement;

@@ -13,6 +13,7 @@ struct Judgement {
     bool asExpected = false; ///< it costs what it must, and nothing else
     bool lost = false;       ///< its item lost points; for a blemish: it has a remark
     bool othersFull = true;
+    std::size_t humans = 0; ///< other items at which a person must look; they keep their points
     std::size_t diagnosisRank = 0; ///< of a right diagnosis, from 1; 0: none is right
     std::string diagnosis;         ///< the right one's id; may be empty
     std::string got;               ///< what was lost, and the first diagnosis

@@ -43,6 +43,12 @@ Patch patch(Patch::Cost cost) {
     return result;
 }
 
+/// The same, but that a person must look at one of its items.
+Graded withHuman(Graded result, std::size_t item) {
+    result.items[item].verdict = "human";
+    return result;
+}
+
 std::string textOf(const fs::path &file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -123,6 +129,37 @@ TEST(Judge, wants_a_variant_to_lose_nothing_and_to_get_no_diagnosis) {
     EXPECT_TRUE(judge(variant, missing).asExpected);
 }
 
+TEST(Judge, counts_other_items_at_which_a_person_must_look) {
+    const Patch mutant = patch(Patch::Cost::Visible);
+    const Graded alone = graded(5, {kVisible});
+    EXPECT_EQ(judge(mutant, alone).humans, 0U);
+    const Judgement downstream = judge(mutant, withHuman(alone, 1));
+    EXPECT_EQ(downstream.humans, 1U);
+    EXPECT_TRUE(downstream.asExpected) << "nothing is taken from it";
+    EXPECT_NE(downstream.got.find("; warp.sphere 5/5: a person must look: "), std::string::npos)
+        << downstream.got;
+    EXPECT_EQ(judge(mutant, withHuman(alone, 0)).humans, 0U) << "it is no other item";
+}
+
+TEST(Judge, takes_nothing_at_which_a_person_must_look_for_judged) {
+    const auto isRight = [](Patch::Cost cost, const Graded &result) {
+        return judge(patch(cost), result).asExpected;
+    };
+    const Graded right = graded(10, {kRight});
+    EXPECT_TRUE(isRight(Patch::Cost::Nothing, right));
+    EXPECT_FALSE(isRight(Patch::Cost::Nothing, withHuman(right, 1)));
+    EXPECT_FALSE(judge(patch(Patch::Cost::Nothing), withHuman(right, 1)).othersFull);
+    const Graded wrong = graded(9, {kLatent});
+    EXPECT_TRUE(isRight(Patch::Cost::Latent, wrong));
+    EXPECT_FALSE(isRight(Patch::Cost::Latent, withHuman(wrong, 0)));
+    EXPECT_FALSE(judge(patch(Patch::Cost::Latent), withHuman(wrong, 0)).lost);
+    const Graded remarked = graded(10, {check("fail", "blemish", 0, "disk.slow")});
+    EXPECT_TRUE(isRight(Patch::Cost::Blemish, remarked));
+    EXPECT_FALSE(isRight(Patch::Cost::Blemish, withHuman(remarked, 0)));
+    const std::string got = judge(patch(Patch::Cost::Blemish), withHuman(remarked, 0)).got;
+    EXPECT_EQ(got, "warp.disk 10/10: a person must look: blemish measured.");
+}
+
 TEST(Summary, gives_rates_with_their_bounds) {
     Judgement good;
     good.asExpected = good.lost = true;
@@ -155,6 +192,51 @@ TEST(Summary, wants_of_each_rate_what_was_promised) {
     EXPECT_FALSE(reachesWanted(mutants)); // 95 %, wanted 98
     EXPECT_FALSE(reachesWanted({{patch(Patch::Cost::Nothing), {good, free}, {}}}));
     EXPECT_NE(summarise(mutants).find("; at least 85 % is wanted\n"), std::string::npos);
+}
+
+TEST(Summary, wants_every_grading_of_a_mistake_to_cost_and_something_to_be_measured) {
+    Judgement good;
+    good.asExpected = good.lost = true;
+    good.diagnosisRank = 1;
+    Judgement vague = good; // it costs, but not what it should
+    vague.asExpected = false;
+    Judgement free = vague;
+    free.lost = false;
+    std::vector<PatchRecord> mutants(100, {patch(Patch::Cost::Visible), {good}, {good}});
+    mutants[5].item = {vague}; // 99 %, wanted 98
+    EXPECT_TRUE(reachesWanted(mutants));
+    EXPECT_NE(summarise(mutants).find("as expected with every seed: 99 of 100"), std::string::npos);
+    mutants[5].item = {free};
+    EXPECT_FALSE(reachesWanted(mutants));
+    mutants[5].patch.cost = Patch::Cost::Blemish; // which costs nothing
+    EXPECT_TRUE(reachesWanted(mutants));
+    EXPECT_NE(summarise(mutants).find("gradings that lose points: 99 of 99"), std::string::npos);
+    EXPECT_FALSE(reachesWanted({}));
+    EXPECT_FALSE(reachesWanted({{patch(Patch::Cost::Visible), {}, {}}}));
+}
+
+TEST(Summary, tells_after_how_many_mutants_a_person_must_look) {
+    Judgement good;
+    good.asExpected = good.lost = true;
+    Judgement looked = good;
+    looked.humans = 2;
+    const Patch mutant = patch(Patch::Cost::Visible);
+    EXPECT_NE(summarise({{mutant, {looked}, {}}, {mutant, {good}, {}}, {mutant, {}, {good}}})
+                  .find("must look at another item: 1 of 2\n"),
+              std::string::npos);
+    EXPECT_EQ(summarise({{patch(Patch::Cost::Nothing), {looked}, {}}}).find("must look"),
+              std::string::npos);
+}
+
+TEST(Summary, says_where_a_mistake_makes_no_difference) {
+    Patch mutant = patch(Patch::Cost::Visible);
+    mutant.what = "The density is that of the first light.";
+    EXPECT_NE(markdown({{mutant, {}, {}}}, "1234567").find("first light. | warp.disk"),
+              std::string::npos);
+    mutant.equivalent = "one light";
+    EXPECT_NE(markdown({{mutant, {}, {}}}, "1234567")
+                  .find("first light. *No difference: one light.* | warp.disk"),
+              std::string::npos);
 }
 
 TEST(Summary, counts_apart_what_a_rate_leaves_out) {

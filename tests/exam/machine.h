@@ -9,7 +9,7 @@
 /// What a hostile hand-in must not have touched.
 namespace exam {
 
-/// Makes processes that their parents leave behind our children, so that childProcesses() sees
+/// Makes processes that their parents leave behind our children, so that killLeftProcesses() sees
 /// them wherever they have fled to.
 /// \throws ExamError  if the system refuses
 void adoptOrphans();

@@ -2,11 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <mutex>
@@ -17,6 +14,7 @@
 #include "hand_in.h"
 #include "machine.h"
 #include "measurement.h"
+#include "progress.h"
 #include "run_options.h"
 #include "stability.h"
 #include "verdict_times.h"
@@ -44,10 +42,7 @@ struct Task {
 /// Prints a line per task as it ends, and on a terminal how long the rest will take.
 class Table {
 public:
-    explicit Table(std::size_t tasks)
-        : m_tasks(tasks),
-          m_start(std::chrono::steady_clock::now()),
-          m_terminal(isatty(STDERR_FILENO) != 0) {
+    explicit Table(std::size_t tasks) : m_progress(tasks) {
         fmt::print("{:<42} {:<5} {:>6}  {}\n", "hand-in", "", "s", "expected -> got");
     }
 
@@ -58,7 +53,7 @@ public:
         m_planted += task.which->expectation.diagnosis.empty() ? 0 : 1;
         m_first += place == 1 ? 1 : 0;
         m_amongThree += place > 0 ? 1 : 0;
-        clearProgress();
+        m_progress.clear();
         const std::string name = task.round == 0
                                      ? task.which->name
                                      : fmt::format("{} #{}", task.which->name, task.round + 1);
@@ -67,15 +62,16 @@ public:
         for (const std::string &miss : misses)
             fmt::print("    {}\n", miss);
         std::cout << std::flush;
-        ++m_done;
         m_missed += misses.empty() ? 0 : 1;
-        showProgress();
+        m_progress.add();
     }
 
     /// \return  whether every expectation was met
     bool finish() {
-        clearProgress();
-        fmt::print("{} of {} as expected, in {:.0f} s\n", m_done - m_missed, m_tasks, elapsed());
+        m_progress.clear();
+        const std::size_t done = m_progress.done();
+        fmt::print("{} of {} as expected, in {:.0f} s\n", done - m_missed, done,
+                   m_progress.seconds());
         if (m_planted > 0)
             fmt::print(
                 "the planted mistake is the first diagnosis in {} of {}, among three in {}\n",
@@ -84,28 +80,8 @@ public:
     }
 
 private:
-    double elapsed() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    }
-
-    void clearProgress() const {
-        if (m_terminal)
-            std::cerr << "\r\x1b[K" << std::flush;
-    }
-
-    void showProgress() const {
-        if (m_terminal && m_done < m_tasks) {
-            const double left =
-                elapsed() / static_cast<double>(m_done) * static_cast<double>(m_tasks - m_done);
-            std::cerr << fmt::format("{} of {}, {:.0f} s left", m_done, m_tasks, left)
-                      << std::flush;
-        }
-    }
-
-    std::size_t m_tasks;
-    std::chrono::steady_clock::time_point m_start;
-    bool m_terminal;
-    std::size_t m_done = 0, m_missed = 0;
+    exam::Progress m_progress;
+    std::size_t m_missed = 0;
     std::size_t m_planted = 0, m_first = 0, m_amongThree = 0;
     std::mutex m_mutex;
 };

@@ -50,7 +50,7 @@ public:
         m_done = queue.run(gradings, [this](std::size_t at, const std::string &json) {
             add(m_tasks[at], judge(m_patches[m_tasks[at].patch], parseResults(json)));
         });
-        m_setAside = queue.setAside();
+        m_failures = queue.failures();
     }
 
     std::vector<PatchRecord> records() const {
@@ -66,7 +66,7 @@ public:
 
     std::size_t done() const { return m_done; }
 
-    const std::vector<std::string> &setAside() const { return m_setAside; }
+    const Failures &failures() const { return m_failures; }
 
     std::size_t tasks() const { return m_tasks.size(); }
 
@@ -111,7 +111,7 @@ private:
     std::vector<Task> m_tasks;
     std::vector<std::map<std::pair<bool, int>, Judgement>> m_judgements; ///< by patch
     std::size_t m_done = 0;
-    std::vector<std::string> m_setAside;
+    Failures m_failures;
 };
 
 } // namespace
@@ -142,16 +142,16 @@ int measure(int argc, char **argv) {
     Measurement measurement(options, verb);
     measurement.run();
     const std::vector<PatchRecord> records = measurement.records();
-    const std::string setAside = describeSetAside(measurement.setAside());
-    fmt::print("\n{}{}", summarise(records), setAside);
+    const Failures &failures = measurement.failures();
+    fmt::print("\n{}{}", summarise(records), failures.describe());
     if (isInterrupted()) {
         fmt::print(stderr, "interrupted: {} of {} gradings done; call again to go on\n",
                    measurement.done(), measurement.tasks());
         return kInterrupted;
     }
     if (!options.record.empty())
-        replaceSection(options.record, verb, markdown(records, commit) + setAside);
-    return reachesWanted(records) && setAside.empty() ? 0 : 1;
+        replaceSection(options.record, verb, markdown(records, commit) + failures.describe());
+    return reachesWanted(records) && failures.setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam

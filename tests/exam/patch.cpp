@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "patch.h"
 
+#include <grader/text_file.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "toml_file.h"
 
@@ -14,11 +15,6 @@ namespace exam {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string readFile(const fs::path &file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Patch::Cost costOf(const TomlFile &file, const toml::node &node) {
     const std::string text = file.text(node);
@@ -96,7 +92,7 @@ void replaceOnce(const Patch &patch, const Change &change, const fs::path &folde
     const fs::path file = folder / change.file;
     if (!fs::exists(file))
         throw ExamError(fmt::format("{}: {} has no {}", patch.name, patch.base, change.file));
-    std::string text = readFile(file);
+    std::string text = grader::readTextFile(file);
     const std::size_t at = text.find(change.before);
     if (at == std::string::npos || text.find(change.before, at + 1) != std::string::npos)
         throw ExamError(fmt::format("{}: the text to change is {} in {}'s {}:\n{}", patch.name,
@@ -111,7 +107,7 @@ void endLinesAsWindowsDoes(const fs::path &folder) {
         if (!entry.is_regular_file())
             continue;
         std::string text;
-        for (const char c : readFile(entry.path()))
+        for (const char c : grader::readTextFile(entry.path()))
             text += c == '\n' ? std::string("\r\n") : std::string(1, c);
         std::ofstream(entry.path(), std::ios::binary) << text;
     }

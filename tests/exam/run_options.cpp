@@ -20,7 +20,8 @@ void addRunOptions(CLI::App &app, RunOptions &options) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     app.footer("Results are kept: a second call grades only what has changed.\n"
-               "Exit codes: 0 as it has to be, 1 not, 2 usage, 75 interrupted.");
+               "Exit codes: 0 as it has to be, 1 not, 2 usage, or the grader or a patch fails,\n"
+               "75 interrupted.");
 }
 
 void addPlace(CLI::App &app, const char *name, std::filesystem::path &place) {

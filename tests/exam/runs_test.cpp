@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A grader for which everything is right, but that ends with the code in `ends.NAME` as often as
-/// is said there. Each grading makes a commit.
+/// is said there; before 75 it interrupts who has called it. Each grading makes a commit.
 constexpr const char *kGrader = R"sh(#!/bin/sh
 cd "$(dirname "$0")"
 [ "$1" != calibrate ] || { echo "at most 1e-9"; exit; }
@@ -26,9 +26,13 @@ echo call >>"calls.$name"
 git -c user.name=x -c user.email=x commit -q --allow-empty -m later
 if [ -e "ends.$name" ]; then
     read -r code times <"ends.$name"
-    [ "$(wc -l <"calls.$name")" -gt "$times" ] || exit "$code"
+    if [ "$(wc -l <"calls.$name")" -le "$times" ]; then
+        [ "$code" != 75 ] || { kill -INT "$PPID"; sleep 0.2; }
+        exit "$code"
+    fi
 fi
-echo '{"submissions": [{"total": 10, "times": {"total": 1}, "figures": [], "items": [
+echo '{"submissions": [{"total": 10, "figures": [], "times": {"ingest": 0, "compile": 0,
+    "link": 0, "sample": 0, "judge": 0, "figures": 0, "total": 1}, "items": [
     {"id": "warp.disk", "points": 10, "max": 10, "verdict": "pass", "reason": "", "diagnoses": [],
      "checks": []}]}]}'
 )sh";
@@ -108,9 +112,13 @@ protected:
 
 TEST_F(Runs, grade_again_where_the_grader_itself_failed) {
     write("ends.two", "5 2\n");
-    EXPECT_EQ(variants({}), 0);
+    EXPECT_EQ(variants({"--record", record()}), 0);
     EXPECT_EQ(calls("two"), 3U);
     EXPECT_EQ(calls("three"), 1U);
+    const std::string again = "In this call 1 grading needed another try";
+    EXPECT_NE(read("exam.md").find(again), std::string::npos) << read("exam.md");
+    EXPECT_EQ(variants({"--record", record()}), 0);
+    EXPECT_EQ(read("exam.md").find(again), std::string::npos) << "all is known";
 }
 
 TEST_F(Runs, set_aside_what_cannot_be_graded_and_go_on) {
@@ -121,8 +129,34 @@ TEST_F(Runs, set_aside_what_cannot_be_graded_and_go_on) {
     const std::string text = read("exam.md");
     EXPECT_NE(text.find("lose nothing: 1 of 1"), std::string::npos) << text;
     EXPECT_NE(text.find("failed 3 times:\n\n- three --seed 00"), std::string::npos) << text;
+    EXPECT_EQ(text.find("another try"), std::string::npos) << text;
     EXPECT_EQ(variants({}), 1);
     EXPECT_EQ(calls("two"), 1U) << "it is known";
+}
+
+TEST_F(Runs, go_on_where_they_were_interrupted) {
+    write("ends.two", "75 1\n");
+    const std::string before = read("exam.md");
+    EXPECT_EQ(variants({"--record", record()}), 75);
+    EXPECT_EQ(calls("three"), 1U);
+    EXPECT_EQ(calls("two"), 1U);
+    EXPECT_EQ(read("exam.md"), before);
+    EXPECT_EQ(variants({"--record", record()}), 0);
+    EXPECT_EQ(calls("three"), 1U) << "it is known";
+    EXPECT_EQ(calls("two"), 2U);
+    EXPECT_NE(read("exam.md").find("lose nothing: 2 of 2"), std::string::npos);
+}
+
+TEST_F(Runs, print_the_times_that_were_measured_before_an_interruption) {
+    write("tests/mutants/far.toml", read("tests/borderline/near.toml"));
+    const auto measured = [&](const std::string &handIn) {
+        write("ends." + handIn, "75 1\n");
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(run(measureVerdictTimes, {"verdict-times"}), 75);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_NE(measured("reference").find("0 of "), std::string::npos) << "the base";
+    EXPECT_NE(measured("ems_no_pick_pdf").find("1 of "), std::string::npos);
 }
 
 TEST_F(Runs, end_where_the_grader_cannot_run) {

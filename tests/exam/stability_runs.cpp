@@ -92,7 +92,7 @@ std::vector<Graded> &gradingsOf(StabilityRecord &record, Setting setting) {
 /// \return  how many are done; what is set aside stays empty
 std::size_t grade(const Options &options, const fs::path &norigrade,
                   const std::vector<Place> &where, std::vector<StableHandIn> &handIns,
-                  std::vector<std::string> &setAside) {
+                  Failures &failures) {
     GradingPlaces places = options.places;
     places.norigrade = norigrade;
     GradingQueue queue(places, options.jobs);
@@ -117,7 +117,7 @@ std::size_t grade(const Options &options, const fs::path &norigrade,
                    describe(graded));
         std::cout << std::flush;
     });
-    setAside.insert(setAside.end(), queue.setAside().begin(), queue.setAside().end());
+    failures.add(queue.failures());
     return done;
 }
 
@@ -179,10 +179,10 @@ int measureStability(int argc, char **argv) {
     const std::vector<Place> pairs = rounds(handIns.size(), Setting::Pair, options.settings);
     const std::vector<Place> plain = rounds(handIns.size(), Setting::Plain, options.settings);
     optimised.insert(optimised.end(), pairs.begin(), pairs.end());
-    std::vector<std::string> unmade;
-    std::size_t done = grade(options, options.places.norigrade, optimised, handIns, unmade);
+    Failures failures;
+    std::size_t done = grade(options, options.places.norigrade, optimised, handIns, failures);
     if (!isInterrupted())
-        done += grade(options, options.unoptimised, plain, handIns, unmade);
+        done += grade(options, options.unoptimised, plain, handIns, failures);
     if (isInterrupted()) {
         fmt::print(stderr, "interrupted: {} of {} gradings done; call again to go on\n", done,
                    optimised.size() + plain.size());
@@ -193,16 +193,16 @@ int measureStability(int argc, char **argv) {
         if (isComplete(handIn.record))
             records.push_back(handIn.record);
     }
-    const std::string setAside = describeSetAside(unmade);
-    fmt::print("\n{}{}", describeStability(records), setAside);
+    fmt::print("\n{}{}", describeStability(records), failures.describe());
     if (!options.record.empty()) {
-        replaceSection(options.record, "stability", stabilityMarkdown(records, commit) + setAside);
+        replaceSection(options.record, "stability",
+                       stabilityMarkdown(records, commit) + failures.describe());
         replaceSection(options.record, "false-alarms", describeFalseAlarms(options.places, commit));
     }
     const bool right =
         std::all_of(records.begin(), records.end(),
                     [](const StabilityRecord &record) { return record.asExpected(); });
-    return right && setAside.empty() ? 0 : 1;
+    return right && failures.setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam

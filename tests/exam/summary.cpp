@@ -25,8 +25,6 @@ struct Rate {
     }
 
     std::string describe() const {
-        if (all == 0)
-            return what + ": not measured";
         const statistics::Interval bounds = statistics::clopperPearson(held, all);
         return fmt::format("{}: {} of {} = {:.1f} % (95 %: {:.1f} to {:.1f} %){}", what, held, all,
                            100 * part(), 100 * bounds.lower, 100 * bounds.upper,
@@ -34,7 +32,7 @@ struct Rate {
                                      : "");
     }
 
-    bool isReached() const { return all == 0 || part() >= least; }
+    bool isReached() const { return all > 0 && part() >= least; }
 
 private:
     double part() const { return static_cast<double>(held) / static_cast<double>(all); }
@@ -44,6 +42,16 @@ bool isCatchAll(const std::string &id) {
     return std::find(catchAlls().begin(), catchAlls().end(), id) != catchAlls().end();
 }
 
+bool isMutant(const PatchRecord &record) {
+    return record.patch.cost != Patch::Cost::Nothing;
+}
+
+/// Whether it has to lose points.
+bool mustCost(const PatchRecord &record) {
+    return isMutant(record) && record.patch.cost != Patch::Cost::Blemish;
+}
+
+/// Those of which something was measured.
 std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
     Rate lost{"mutants that lose points", 1};
     Rate exact{"mutants that cost as much as they should, on exactly the right item", 0.98};
@@ -51,13 +59,20 @@ std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
     Rate specific{"first diagnosis right, and no catch-all, of the same"};
     Rate three{"diagnosis right within three", 0.95};
     Rate again{"own item with further seeds: gradings as expected", 0.98};
+    Rate lostAgain{"own item with further seeds: gradings that lose points", 1};
+    Rate always{"mutants as expected with every seed"};
     Rate remarks{"blemishes that are remarked on and cost nothing", 1};
     Rate whole{"gradings of correct variants that lose nothing", 1};
     Rate variants{"correct variants that never lose anything", 1};
     for (const PatchRecord &record : records) {
         const Patch &patch = record.patch;
-        for (const Judgement &judgement : record.item)
+        for (const Judgement &judgement : record.item) {
             again.add(judgement.asExpected);
+            if (mustCost(record))
+                lostAgain.add(judgement.lost);
+        }
+        if (isMutant(record) && !(record.whole.empty() && record.item.empty()))
+            always.add(record.asExpected());
         if (record.whole.empty())
             continue;
         const Judgement &judgement = record.whole.front();
@@ -81,16 +96,12 @@ std::vector<Rate> ratesOf(const std::vector<PatchRecord> &records) {
         three.add(judgement.diagnosisRank >= 1 && judgement.diagnosisRank <= 3);
     }
     std::vector<Rate> rates;
-    for (const Rate &rate :
-         {lost, exact, first, specific, three, again, remarks, whole, variants}) {
+    for (const Rate &rate : {lost, exact, first, specific, three, again, lostAgain, always, remarks,
+                             whole, variants}) {
         if (rate.all > 0)
             rates.push_back(rate);
     }
     return rates;
-}
-
-bool isMutant(const PatchRecord &record) {
-    return record.patch.cost != Patch::Cost::Nothing;
 }
 
 /// The rates, and of mutants what the rates leave out.
@@ -108,6 +119,18 @@ std::vector<std::string> findingsOf(const std::vector<PatchRecord> &records) {
         findings.push_back(fmt::format("apart: {} remarks that by the rubric cost nothing, {} "
                                        "mutants that no diagnosis fits",
                                        remarks, unnamed));
+    const auto isWhole = [](const auto &record) {
+        return isMutant(record) && !record.whole.empty();
+    };
+    const auto whole = std::count_if(records.begin(), records.end(), isWhole);
+    const auto humans = std::count_if(records.begin(), records.end(), [&](const auto &record) {
+        return isWhole(record) &&
+               std::any_of(record.whole.begin(), record.whole.end(),
+                           [](const Judgement &each) { return each.humans > 0; });
+    });
+    if (whole > 0)
+        findings.push_back(fmt::format(
+            "mutants after which a person must look at another item: {} of {}", humans, whole));
     return findings;
 }
 
@@ -116,6 +139,13 @@ std::string escaped(std::string text) {
         text.insert(at, "\\");
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
+}
+
+/// What is wrong, and where that cannot be seen.
+std::string mistakeCell(const Patch &patch) {
+    return escaped(patch.equivalent.empty()
+                       ? patch.what
+                       : fmt::format("{} *No difference: {}.*", patch.what, patch.equivalent));
 }
 
 std::string diagnosisCell(const PatchRecord &record) {
@@ -145,8 +175,8 @@ bool PatchRecord::asExpected() const {
 
 bool reachesWanted(const std::vector<PatchRecord> &records) {
     const std::vector<Rate> rates = ratesOf(records);
-    return std::all_of(rates.begin(), rates.end(),
-                       [](const Rate &rate) { return rate.isReached(); });
+    return !rates.empty() && std::all_of(rates.begin(), rates.end(),
+                                         [](const Rate &rate) { return rate.isReached(); });
 }
 
 std::string summarise(const std::vector<PatchRecord> &records) {
@@ -169,7 +199,7 @@ std::string markdown(const std::vector<PatchRecord> &records, const std::string 
         const Patch &patch = record.patch;
         if (mutants)
             text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", patch.name,
-                                escaped(patch.what), patch.item, patch.costName(),
+                                mistakeCell(patch), patch.item, patch.costName(),
                                 ratio(record.whole), ratio(record.item), diagnosisCell(record));
         else
             text += fmt::format("| {} | {} | {} |\n", patch.name, escaped(patch.what),

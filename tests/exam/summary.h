@@ -20,7 +20,7 @@ struct PatchRecord {
 /// apart from them.
 std::string summarise(const std::vector<PatchRecord> &records);
 
-/// Whether every rate is at least what is wanted of it.
+/// Whether something was measured, and every rate is at least what is wanted of it.
 bool reachesWanted(const std::vector<PatchRecord> &records);
 
 /// Rates and a table of all patches, as Markdown.

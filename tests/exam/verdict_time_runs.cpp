@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -143,13 +140,16 @@ VerdictTime measure(const Options &options, const TimedHandIn &handIn, int attem
 
 /// \return  nothing if the grader itself fails again and again
 std::optional<VerdictTime> tryToMeasure(const Options &options, const TimedHandIn &handIn,
-                                        const ItemClock &clock, const fs::path &work) {
+                                        const ItemClock &clock, const fs::path &work,
+                                        const Progress &progress, Failures &failures) {
     std::optional<VerdictTime> time;
     for (int attempt = 0; attempt < kTries && !time && !isInterrupted(); ++attempt) {
         const fs::path scratch = work / fmt::format("attempt{}", attempt);
         try {
             time = measure(options, handIn, attempt, clock, scratch);
+            failures.repeated += attempt > 0 ? 1 : 0;
         } catch (const InfraError &error) {
+            progress.clear();
             fmt::print(stderr, "{}: {}\n", handIn.name, error.what());
         }
         std::error_code ignored;
@@ -171,6 +171,26 @@ void print(const VerdictTime &time) {
     std::cout << std::flush;
 }
 
+/// Until it is interrupted; `times` and `failures` hold what there was by then.
+void measureAll(const Options &options, const std::vector<TimedHandIn> &handIns,
+                const fs::path &work, std::vector<VerdictTime> &times, Failures &failures) {
+    const ItemClock clock;
+    Progress progress(handIns.size());
+    for (const TimedHandIn &handIn : handIns) {
+        const std::optional<VerdictTime> time =
+            tryToMeasure(options, handIn, clock, work, progress, failures);
+        if (isInterrupted())
+            return;
+        progress.clear();
+        if (time) {
+            times.push_back(*time);
+            print(*time);
+        } else
+            failures.setAside.push_back(handIn.name);
+        progress.add();
+    }
+}
+
 } // namespace
 
 int measureVerdictTimes(int argc, char **argv) {
@@ -187,7 +207,8 @@ int measureVerdictTimes(int argc, char **argv) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.footer("Times are measured anew in every call.\nExit codes: 0 every grossly wrong item is "
-               "decided in time, 1 some are not, 2 usage, 75 interrupted.");
+               "decided in time, 1 some are not, 2 usage, or the grader or a hand-in fails,\n"
+               "75 interrupted.");
     if (const std::optional<int> code = parseCommandLine(app, argc, argv))
         return *code;
 
@@ -195,35 +216,25 @@ int measureVerdictTimes(int argc, char **argv) {
     const std::string commit = commitOf(options.project); // later it may be another one
     const std::vector<TimedHandIn> handIns = findHandIns(options);
     const WorkFolder work;
-    prepareCache(options, work.path(), work.path() / "base");
-    const ItemClock clock;
     std::vector<VerdictTime> times;
-    std::vector<std::string> unmade;
-    const auto start = std::chrono::steady_clock::now();
-    for (const TimedHandIn &handIn : handIns) {
-        const std::optional<VerdictTime> time = tryToMeasure(options, handIn, clock, work.path());
-        if (isInterrupted())
-            break;
-        if (time) {
-            times.push_back(*time);
-            print(*time);
-        } else
-            unmade.push_back(handIn.name);
-        const std::size_t done = times.size() + unmade.size();
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (isatty(STDERR_FILENO) != 0)
-            std::cerr << fmt::format("{} of {}, {:.0f} min left\n", done, handIns.size(),
-                                     seconds / 60 / static_cast<double>(done) *
-                                         static_cast<double>(handIns.size() - done));
+    Failures failures;
+    try {
+        prepareCache(options, work.path(), work.path() / "base");
+        measureAll(options, handIns, work.path(), times, failures);
+    } catch (const std::exception &) {
+        if (!isInterrupted()) // what fails then was ended by the same Ctrl-C
+            throw;
     }
-    const std::string setAside = describeSetAside(unmade);
-    fmt::print("\n{}{}", describeTimes(times), setAside);
-    if (isInterrupted())
+    fmt::print("\n{}{}", describeTimes(times), failures.describe());
+    if (isInterrupted()) {
+        fmt::print(stderr, "interrupted: {} of {} hand-ins measured\n", times.size(),
+                   handIns.size());
         return kInterrupted;
+    }
     if (!options.record.empty())
-        replaceSection(options.record, "verdict-times", timesMarkdown(times, commit) + setAside);
-    return lateItems(times).empty() && setAside.empty() ? 0 : 1;
+        replaceSection(options.record, "verdict-times",
+                       timesMarkdown(times, commit) + failures.describe());
+    return lateItems(times).empty() && failures.setAside.empty() ? 0 : 1;
 }
 
 } // namespace exam
