@@ -22,13 +22,14 @@ enum class Kind {
 /// How an attack must be seen to end.
 enum class End {
     Any,    ///< whatever it does to itself
-    Exit,   ///< it comes to its end
+    Exit,   ///< it comes to its end, and says that it has tried
+    Leave,  ///< it leaves before that, with another code than 0
     Signal, ///< by its own signal
     Cpu,    ///< by the limit of CPU time
     Wall,   ///< by the limit of time
-    Memory, ///< by the limit of memory at S3; at S2 its allocations fail
+    Memory, ///< by the limit of memory at S3; at S2 its allocations fail, and it comes to its end
     Log,    ///< by the limit of what it prints
-    Built,  ///< it compiles: there is nothing to find
+    Built,  ///< it compiles, and a hand-in links: there is nothing to find
     Failed, ///< it does not compile
 };
 

@@ -62,7 +62,7 @@ std::vector<Task> tasksFor(const Options &options) {
     for (const Attack &attack : attack::attackTable()) {
         if (options.quick && !isQuick(attack))
             continue;
-        const bool atCompileTime = attack.kind == Kind::Source;
+        const bool atCompileTime = attack.kind == Kind::Source || attack.group == 'C';
         add({{std::string(1, attack.group), attack.name, attack.tries, atCompileTime, {}},
              attack.contained,
              [&attack](Judge &judge) {

@@ -31,7 +31,7 @@ const std::vector<Attack> &attackTable() {
         {'A', Probe, "lists_descriptors", "looks for descriptors beyond the two", End::Any},
         {'A', Hostile, "attack_first_process", "forges what bubblewrap tells", End::Exit},
         {'A', Hostile, "look_around", "looks for expected values and the machine", End::Exit},
-        {'A', Hostile, "exit_with_seven", "prints PASSED", End::Exit},
+        {'A', Hostile, "exit_with_seven", "prints PASSED", End::Leave},
         {'A', Escape, "pretends_a_time_out", "ends as if by a limit of ours", End::Any},
         {'A', Escape, "pretends_to_be_killed", "kills itself as if we had", End::Any},
         {'A', Escape, "reads_stdin", "reads what it might be sent", End::Exit},
@@ -117,7 +117,7 @@ const std::vector<Attack> &attackTable() {
         {'C', Source, "repeats_in_assembly", "assembles 6 GB", End::Failed},
         {'C', Source, "moves_in_assembly", "assembles 8 TB of padding", End::Failed},
         {'C', Source, "nests_without_end", "nests 300,000 brackets", End::Failed},
-        {'C', Source, "names_its_machine", "writes paths of the machine into itself", End::Built},
+        {'C', HandIn, "names_its_machine", "writes paths of the machine into itself", End::Built},
         // D: the grader's readers
         {'D', Source, "prints_without_end", "has the compiler print without end", End::Failed},
         {'D', Source, "prints_control_text", "puts escapes into a diagnostic", End::Failed},

@@ -142,17 +142,25 @@ Seen Judge::judgeProcess(const Attack &attack) const {
     const auto *exited = std::get_if<BoxExited>(&outcome.end);
     if (exited != nullptr && (exited->code == 98 || exited->code == 99))
         return {false, "is no program of that name"};
-    Seen seen{endsAs(attack.end, outcome.end), describe(outcome.end)};
+    Seen seen{endsAs(attack.end, outcome), describe(outcome.end)};
+    if (!seen.contained)
+        seen.what +=
+            ", which is not how it must end; it said: " + safeLine(outcome.log.substr(0, 60));
     if (!m_quick)
         seen.gained = m_marks.pointsFor(ask(attack));
     return seen;
 }
 
-bool Judge::endsAs(End wanted, const BoxEnd &end) const {
+bool Judge::endsAs(End wanted, const BoxOutcome &outcome) const {
+    const BoxEnd &end = outcome.end;
     const auto *timedOut = std::get_if<BoxTimedOut>(&end);
+    const auto *exited = std::get_if<BoxExited>(&end);
+    const bool tried = exited != nullptr && exited->code == 0 && outcome.log.ends_with("tried\n");
     switch (wanted) {
     case End::Exit:
-        return std::holds_alternative<BoxExited>(end);
+        return tried;
+    case End::Leave:
+        return exited != nullptr && exited->code != 0;
     case End::Signal:
         return std::holds_alternative<BoxSignalled>(end);
     case End::Cpu:
@@ -160,8 +168,7 @@ bool Judge::endsAs(End wanted, const BoxEnd &end) const {
     case End::Wall:
         return (timedOut != nullptr && !timedOut->cpu) || std::holds_alternative<BoxStarved>(end);
     case End::Memory:
-        return level() == SandboxLevel::S3 ? std::holds_alternative<BoxOutOfMemory>(end)
-                                           : std::holds_alternative<BoxExited>(end);
+        return level() == SandboxLevel::S3 ? std::holds_alternative<BoxOutOfMemory>(end) : tried;
     case End::Log:
         return std::holds_alternative<BoxLogTooLarge>(end);
     default:
@@ -246,7 +253,13 @@ Seen Judge::judgeSource(const Attack &attack) const {
         return {false, "READ THE SECRET"};
     if (product.find(Cache::defaultRoot().string()) != std::string::npos)
         return {false, "KNOWS WHERE IT LIES"};
-    Seen seen{attack.end == End::Any || (attack.end == End::Failed) == failure.has_value(),
+    // Else there is nothing in the program that could have known more.
+    if (isNamed(attack, "names_its_machine") &&
+        product.find("lies in src/warp.cpp of src/warp.cpp of ") == std::string::npos)
+        return {false, "does not say where it lies"};
+    const bool linked = attack.kind == Kind::Source || variant.executable;
+    Seen seen{attack.end == End::Any ||
+                  (attack.end == End::Failed ? failure.has_value() : !failure && linked),
               failure ? safeLine(product).substr(0, 70) : "compiles"};
     if (variant.executable) {
         NamedContext context(m_sandbox, *variant.executable, attack.name, BoxLimits());

@@ -44,7 +44,7 @@ private:
     Seen judgeSource(const Attack &attack) const;
     Seen judgeArchive(const grader::test::HostileArchive &archive) const;
 
-    bool endsAs(End wanted, const grader::BoxEnd &end) const;
+    bool endsAs(End wanted, const grader::BoxOutcome &outcome) const;
     /// All checks of the item, asked of the program as a hand-in's probe is.
     std::vector<grader::CheckResult> ask(const Attack &attack) const;
     std::filesystem::path programOf(const Attack &attack) const;

@@ -52,9 +52,10 @@ const std::map<std::string, std::string> &sources() {
         {"forges_diagnostics",
          "#line 1 \"/etc/passwd\"\n#error \" 'x' was not declared in this scope\"\n"},
         {"nests_without_end", "int x = " + std::string(300'000, '(') + "1;\n"},
-        {"names_its_machine",
-         "extern const char *where;\nconst char *where = __FILE__ __TIMESTAMP__;\n"},
         // What follows is added to a warp.cpp.
+        {"names_its_machine", "extern const char *where;\n"
+                              "const char *where = \"lies in \" __FILE__ \" of \" __BASE_FILE__ "
+                              "\" of \" __TIMESTAMP__;\n"},
         {"leaves_in_a_constructor",
          "#include <cstdio>\n#include <unistd.h>\n"
          "namespace { struct A { A() { std::puts(\"{\\\"score\\\": 100}\"); std::fflush(stdout); "

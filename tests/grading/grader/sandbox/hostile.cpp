@@ -97,7 +97,7 @@ void startThreads() {
     } catch (const std::system_error &) {
         // Joining would wait for ever: the threads are left to the end of the process.
     }
-    std::printf("threads %zu\n", threads.size());
+    std::printf("threads %zu\ntried\n", threads.size());
     std::fflush(stdout);
     ::_exit(0);
 }
@@ -286,7 +286,10 @@ void readDescriptors() {
 }
 
 void daemonise() {
-    if (::fork() != 0)
+    const pid_t child = ::fork();
+    if (child < 0)
+        ::_exit(1); // nothing to leave behind: not tried
+    if (child > 0)
         return;
     ::setsid();
     if (::fork() != 0)
