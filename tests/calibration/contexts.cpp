@@ -96,21 +96,25 @@ std::uint64_t OwnContext::seed(std::string_view purpose, int stage, int replicat
 }
 
 ProbeAnswer OwnContext::ask(const protocol::RequestGroup &group) {
+    return answer(group, m_isTwin);
+}
+
+ProbeAnswer OwnContext::askReference(const protocol::RequestGroup &group) {
+    return answer(group, false);
+}
+
+ProbeAnswer OwnContext::answer(const protocol::RequestGroup &group, bool isWrong) {
     ProbeAnswer answer = exited();
     for (const protocol::Request &request : group.requests) {
         const bool isRadiance = request.op == protocol::Op::Radiance;
-        const bool repeats = m_isTwin && !isRadiance && request.op != protocol::Op::EmitterEval;
+        const bool repeats = isWrong && !isRadiance && request.op != protocol::Op::EmitterEval;
         std::vector<float> values =
             answerOwn(repeats ? repeatFirst(request) : request, m_scenes.get(group, request.text));
-        if (m_isTwin && isRadiance)
+        if (isWrong && isRadiance)
             brighten(values);
         answer.responses.push_back({protocol::State::Done, "", 0, std::move(values)});
     }
     return answer;
-}
-
-ProbeAnswer OwnContext::askReference(const protocol::RequestGroup &group) {
-    return ask(group);
 }
 
 } // namespace calibration

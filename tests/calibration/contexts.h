@@ -71,6 +71,8 @@ public:
     grader::ProbeAnswer askReference(const protocol::RequestGroup &group) override;
 
 private:
+    grader::ProbeAnswer answer(const protocol::RequestGroup &group, bool isWrong);
+
     LoadedScenes &m_scenes;
     std::uint64_t m_sceneSeed;
     bool m_isTwin;
