@@ -103,6 +103,8 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard, const char *wha
 }
 
 /// Not with the C library's functions, which would change the user of all of the grader's threads.
+/// The kernel forbids others to trace the shared memory from here on, the grader's, too: it leaves
+/// no core file.
 bool become(uid_t user) {
     return ::syscall(SYS_setgroups, 0, nullptr) == 0 &&
            ::syscall(SYS_setresgid, user, user, user) == 0 &&
@@ -148,7 +150,9 @@ void giveDescriptors(const ChildPlan &plan) {
     ::close_range(kFilterFd + 1, ~0U, 0);
 }
 
-/// The grader's handlers must not run in the child. What is ignored stays ignored, as after fork().
+/// The grader's handlers must not run in the child, and what they would have caught while the child
+/// starts (Ctrl-C reaches the grader's whole group) must not end it: to ignore a signal forgets a
+/// pending one. What is ignored stays ignored, as after fork().
 void forgetHandlers() {
     for (int signal = 1; signal <= SIGRTMAX; ++signal) {
         struct sigaction action {};
@@ -156,25 +160,28 @@ void forgetHandlers() {
         if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN ||
             action.sa_handler == SIG_DFL)
             continue;
-        action = {};
-        action.sa_handler = SIG_DFL;
-        ::sigaction(signal, &action, nullptr);
+        for (const auto handler : {SIG_IGN, SIG_DFL}) {
+            action = {};
+            action.sa_handler = handler;
+            ::sigaction(signal, &action, nullptr);
+        }
     }
 }
 
 int runChild(void *argument) {
     const ChildPlan &plan = *static_cast<const ChildPlan *>(argument);
+    ::dup2(plan.logFd, STDERR_FILENO); // for childFails()
     for (int i = 0; i < plan.groupCount; ++i) {
         if (::write(plan.groups[i], "0", 1) != 1) // the process that writes
             childFails("a process cannot be put into its control group");
     }
     giveDescriptors(plan);
+    if (::setsid() < 0) // first: from here on signals to the grader's group do not come here
+        childFails("setsid");
     forgetHandlers();
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    if (::setsid() < 0)
-        childFails("setsid");
     rlim_t processes = plan.processes;
     if (plan.asRoot && !become(plan.user)) {
         // A container's root may have no users that far up: then all boxes share one.
