@@ -70,7 +70,7 @@ public:
           m_rubric(rubric),
           m_sandbox(sandbox),
           m_interrupted(interrupted),
-          m_measures(engineDigest()) {
+          m_measures(engineDigest(sandbox.level())) {
         for (const RubricItem &item : rubric.items) {
             for (const RubricCheck &check : item.checks)
                 m_measures += "|" + check.id;
@@ -168,8 +168,13 @@ std::vector<std::string> gapsOf(const Rubric &rubric, const std::vector<CorpusCa
 /// So that a corpus that is not as it must be is told before the first grading.
 /// \throws GraderError  if one cannot be put together
 void composeAll(const std::vector<CorpusCase> &cases) {
-    for (const CorpusCase &each : cases)
-        composeCase(each, WorkFolder().path() / "hand-in");
+    for (const CorpusCase &each : cases) {
+        try {
+            composeCase(each, WorkFolder().path() / "hand-in");
+        } catch (const fs::filesystem_error &error) {
+            throw GraderError(each.name + ": " + error.what());
+        }
+    }
 }
 
 ExitCode finish(const CalibrateCommand &command, const Rubric &rubric,

@@ -55,22 +55,6 @@ constexpr char kPrecompiled[] = "#include <Eigen/Core>\n"
                                 "#include <stdexcept>\n#include <string>\n#include <vector>\n"
                                 "#include <math.h>\n#include <stdint.h>\n#include <stdlib.h>\n";
 
-/// Changes when the compiler does, without running it.
-std::string toolchainIdentity() {
-    std::string identity;
-    for (const char *file : {kGxx, "/usr/bin/ld", "/usr/bin/as"}) {
-        std::error_code error;
-        const auto real = std::filesystem::canonical(file, error);
-
-        struct stat status {};
-
-        if (error || ::stat(real.c_str(), &status) != 0)
-            throw GraderError(fmt::format("{}: not found; install the package g++", file));
-        identity += fmt::format("{} {} {}\n", real.string(), status.st_size, status.st_mtime);
-    }
-    return identity;
-}
-
 void append(std::vector<std::string> &list, const std::vector<std::string> &more) {
     list.insert(list.end(), more.begin(), more.end());
 }
@@ -109,6 +93,21 @@ Files forwardFiles(const HeaderSet &headers) {
 }
 
 } // namespace
+
+std::string toolchainIdentity() {
+    std::string identity;
+    for (const char *file : {kGxx, "/usr/bin/ld", "/usr/bin/as"}) {
+        std::error_code error;
+        const auto real = std::filesystem::canonical(file, error);
+
+        struct stat status {};
+
+        if (error || ::stat(real.c_str(), &status) != 0)
+            throw GraderError(fmt::format("{}: not found; install the package g++", file));
+        identity += fmt::format("{} {} {}\n", real.string(), status.st_size, status.st_mtime);
+    }
+    return identity;
+}
 
 Compiler::Compiler(const Sandbox &sandbox, const Cache &cache)
     : m_sandbox(sandbox), m_cache(cache), m_toolchain(sha256Hex(toolchainIdentity())) {}

@@ -26,6 +26,10 @@ struct UnitSource {
 /// A built file in the cache, or why there is none.
 using Built = std::variant<std::filesystem::path, BuildFailure>;
 
+/// Changes when the compiler does, without running it: path, size and time of its programs.
+/// \throws GraderError  if the machine has no g++
+std::string toolchainIdentity();
+
 /// g++ in the box. What was compiled before, by anyone, comes from the cache; what ran into a limit
 /// is not tried again by this object, but by the next one. Thread-safe.
 class Compiler {
