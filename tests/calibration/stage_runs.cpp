@@ -26,6 +26,10 @@ struct StageCount {
     std::uint64_t begun = 0;
     std::uint64_t rejections = 0;
 
+    double rate() const {
+        return begun == 0 ? 0 : static_cast<double>(rejections) / static_cast<double>(begun);
+    }
+
     double bound() const { return statistics::clopperPearson(rejections, begun, 0.1).upper; }
 };
 
@@ -43,8 +47,7 @@ struct Kind {
     std::vector<Part> parts;
 };
 
-/// Of judgeRadiance(): 0 to 2 judge the whole image, 3 to 5 what stands out of it.
-const std::vector<int> kRadianceStages = {0, 3};
+const std::vector<int> kRadianceStages = {0, grader::kSuspectsFirstStage};
 
 /// The check itself.
 Part checkPart(const std::string &id, const std::string &scene,
@@ -110,14 +113,15 @@ private:
     LoadedScenes m_scenes;
 };
 
+/// \return  a count for each of the part's first stages
 /// \throws std::runtime_error  if the twin is not rejected, or right code is accused
-StageCount countStages(const Part &part, int judgements, std::uint64_t seed) {
+std::vector<StageCount> countStages(const Part &part, int judgements, std::uint64_t seed) {
     Answers answers(part, seed);
     const std::unique_ptr<LocalContext> twin = answers.context(0, true);
     const grader::CheckResult wrong = part.judge(*twin);
     if (!twin->hasBegun(1))
         throw std::runtime_error(part.name + ": what is wrong is not rejected: " + wrong.message);
-    StageCount count;
+    std::vector<StageCount> counts(part.firstStages.size());
     const Clock::time_point begin = Clock::now();
     Clock::time_point told = begin;
     for (int i = 0; i < judgements; ++i) {
@@ -131,12 +135,12 @@ StageCount countStages(const Part &part, int judgements, std::uint64_t seed) {
         if (result.verdict != grader::Verdict::Pass &&
             result.verdict != grader::Verdict::Inconclusive)
             throw std::runtime_error(part.name + ": correct code is accused: " + result.message);
-        for (const int first : part.firstStages) {
-            count.begun += context->hasBegun(first) ? 1 : 0;
-            count.rejections += context->hasBegun(first + 1) ? 1 : 0;
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+            counts[k].begun += context->hasBegun(part.firstStages[k]) ? 1 : 0;
+            counts[k].rejections += context->hasBegun(part.firstStages[k] + 1) ? 1 : 0;
         }
     }
-    return count;
+    return counts;
 }
 
 } // namespace
@@ -151,13 +155,18 @@ void runStages(int judgements, const std::string &only, std::uint64_t seed) {
         std::optional<StageCount> worst;
         std::string worstName;
         for (const Part &part : kind.parts) {
-            const StageCount count = countStages(part, judgements, seed);
-            fmt::print("  {:<28} {} of {}\n", part.name, count.rejections, count.begun);
-            std::fflush(stdout);
-            if (!worst || count.bound() > worst->bound()) {
-                worst = count;
-                worstName = part.name;
+            const std::vector<StageCount> counts = countStages(part, judgements, seed);
+            for (std::size_t k = 0; k < counts.size(); ++k) {
+                const std::string name =
+                    part.name + (part.firstStages[k] == 0 ? "" : ", what stands out");
+                fmt::print("  {:<44} {} of {}\n", name, counts[k].rejections, counts[k].begun);
+                // By the rate: what seldom stands out has a wide limit and says little.
+                if (!worst || counts[k].rate() > worst->rate()) {
+                    worst = counts[k];
+                    worstName = name;
+                }
             }
+            std::fflush(stdout);
         }
         fmt::print("{}: of {} parts, most of {}: {} of {} reject, below {:.2g} (one-sided 95 %); "
                    "for grading/grader/calibration/stage_levels.toml\n",

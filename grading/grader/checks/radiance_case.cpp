@@ -185,8 +185,8 @@ private:
             const statistics::LockResult lock = statistics::tripleLock(
                 [&](const statistics::StageRequest &request) {
                     BothSides fresh(which.size());
-                    if (!take(fresh, which, samples, 1, 3 + static_cast<int>(request.index),
-                              perGroup))
+                    if (!take(fresh, which, samples, 1,
+                              kSuspectsFirstStage + static_cast<int>(request.index), perGroup))
                         return unreliable();
                     const RadianceMoments expected =
                         m_test.expected.empty() ? momentsOf(fresh.more) : pick(m_exact, which);

@@ -43,6 +43,9 @@ struct RadianceCase {
 /// stand out, pixels that stand out.
 constexpr int kRadianceLocks = 3;
 
+/// Number of the first stage that judges what stands out; that of the image as a whole is 0.
+constexpr int kSuspectsFirstStage = 3;
+
 /// Judges the mean of Li per ray or pixel: global scale, sum of squares and worst tile per channel,
 /// with skewness correction, tolerance and triple lock; every stage takes up to kLooks looks at
 /// samples that double. Where there is no closed form, our own estimator is compared at equal
