@@ -81,13 +81,15 @@ inline double deviationAgreement(const std::vector<double> &a, const std::vector
 ///
 /// A stage that does not reject ends the test: Pass if its bound of the error is within the
 /// pass limit, else Inconclusive. An unreliable stage, or one that rejects in another place than
-/// the one before, ends it Inconclusive.
+/// the one before, ends it Inconclusive; but where both errors are gross, no noise makes them, and
+/// it is the program that is another one each time it starts.
 ///
 /// \param stage   Called as StageResult(const StageRequest &), at most 3 times.
 template <typename Stage>
 LockResult tripleLock(Stage &&stage, const LockConfig &config = {}) {
     LockResult result;
     std::size_t smaller = 0; // 1 once the error is gross
+    bool wasGross = false;   // in the stage before
     for (std::size_t i = 0; i < config.significance.size(); ++i) {
         const StageRequest request{static_cast<unsigned>(i), config.significance[i],
                                    config.sampleFactor[i - smaller]};
@@ -103,16 +105,19 @@ LockResult tripleLock(Stage &&stage, const LockConfig &config = {}) {
             result.decision = passes ? Decision::Pass : Decision::Inconclusive;
             return result;
         }
+        const bool gross =
+            std::fabs(found.z) >= config.grossZ && std::fabs(found.effect) > 5.0 * config.tolerance;
         if (i > 0 && deviationAgreement(result.stages[i - 1].deviation, found.deviation) <
                          config.minAgreement) {
             result.sameDeviation = false;
-            return result;
+            if (!gross || !wasGross) {
+                return result;
+            }
         }
-        const bool gross =
-            std::fabs(found.z) >= config.grossZ && std::fabs(found.effect) > 5.0 * config.tolerance;
         if (i == 0 && gross) {
             smaller = 1;
         }
+        wasGross = gross;
     }
     result.decision = Decision::Fail;
     return result;

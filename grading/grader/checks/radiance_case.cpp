@@ -73,6 +73,8 @@ public:
         if (lock.decision == statistics::Decision::Fail) {
             result.verdict = Verdict::Fail;
             result.diagnoses = guessRadiance(m_student, m_expected, m_test.diagnoses);
+            if (!lock.sameDeviation) // wrong in another way each time the program starts
+                result.diagnoses.insert(result.diagnoses.begin(), {"ems.samples_reused", 1});
         } else if (lookAtSuspects(result)) {
             result.diagnoses = {{m_test.diagnoses.other, m_test.diagnoses.otherFit}};
         }

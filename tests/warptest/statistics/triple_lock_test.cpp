@@ -52,6 +52,26 @@ TEST(TripleLock, DoesNotAccuseWhenTheDirectionTurns) {
     EXPECT_EQ(result.stages.size(), 2U);
 }
 
+TEST(TripleLock, AccusesOfGrossErrorsThatChangeFromRunToRun) {
+    const auto gross = [](double direction) {
+        StageResult result = rejecting(direction);
+        result.z = 12.0;
+        result.effect = 0.06;
+        return result;
+    };
+    const LockConfig config{.tolerance = 0.01};
+    const LockResult result = replay({gross(1.0), gross(-1.0), gross(1.0)}, config);
+    EXPECT_EQ(result.decision, Decision::Fail);
+    EXPECT_FALSE(result.sameDeviation);
+    StageResult quiet;
+    quiet.pValue = 0.5;
+    for (const auto &stages : {std::vector<StageResult>{gross(1.0), rejecting(-1.0)},
+                               {rejecting(1.0), gross(-1.0)},
+                               {gross(1.0), gross(-1.0), rejecting(1.0)},
+                               {gross(1.0), gross(-1.0), quiet}})
+        EXPECT_NE(replay(stages, config).decision, Decision::Fail);
+}
+
 TEST(TripleLock, PassesOnlyWithABoundOfTheError) {
     StageResult quiet;
     quiet.pValue = 0.5;
