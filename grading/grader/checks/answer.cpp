@@ -37,6 +37,13 @@ CheckResult makeResult(Verdict verdict, std::string message, std::vector<Guess> 
     return result;
 }
 
+std::vector<Guess> explain(const statistics::LockResult &lock, std::vector<Guess> guesses,
+                           const char *diagnosis) {
+    if (lock.decision == statistics::Decision::Fail && !lock.sameDeviation)
+        guesses.insert(guesses.begin(), {diagnosis, 1});
+    return guesses;
+}
+
 std::optional<CheckResult> unanswered(const ProbeAnswer &answer) {
     if (answer.complete())
         return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <grader/prober/prober.h>
 #include <grader/results/results.h>
+#include <statistics/triple_lock.h>
 
 #include <optional>
 #include <string>
@@ -17,5 +18,10 @@ std::optional<CheckResult> unanswered(const ProbeAnswer &answer);
 
 /// A result with a verdict and what was found; numbers are for the caller to fill in.
 CheckResult makeResult(Verdict verdict, std::string message, std::vector<Guess> diagnoses = {});
+
+/// Puts `diagnosis` before the guesses, which look at the last stage only, where the stages have
+/// confirmed errors that differ: something is kept from the start of the program.
+std::vector<Guess> explain(const statistics::LockResult &lock, std::vector<Guess> guesses,
+                           const char *diagnosis = "samples.kept");
 
 } // namespace grader

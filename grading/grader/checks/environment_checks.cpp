@@ -258,7 +258,7 @@ CheckResult judgeDistribution(CheckContext &context) {
     result.floor = lock.stages.front().mde;
     result.p = last.pValue;
     if (result.verdict == Verdict::Fail)
-        result.diagnoses = guessDirections(rows, uniform);
+        result.diagnoses = explain(lock, guessDirections(rows, uniform));
     return result;
 }
 

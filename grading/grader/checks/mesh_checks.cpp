@@ -153,7 +153,7 @@ CheckResult judgeUniformity(CheckContext &context, Shape shape) {
         fmt::format("The density of points over {} triangles differs from uniform by {:.2g} % rms "
                     "(below {:.2g} % at 99.99 %).",
                     mesh.faces.size(), 100 * last.effect, 100 * last.effectBound),
-        verdict == Verdict::Fail ? guessCells(mesh, counts, asked) : MeshGuesses{});
+        verdict == Verdict::Fail ? explain(lock, guessCells(mesh, counts, asked)) : MeshGuesses{});
     result.effect = last.effect;
     result.mde = last.mde;
     result.floor = lock.stages.front().mde;

@@ -72,9 +72,8 @@ public:
             result.verdict = Verdict::Pass;
         if (lock.decision == statistics::Decision::Fail) {
             result.verdict = Verdict::Fail;
-            result.diagnoses = guessRadiance(m_student, m_expected, m_test.diagnoses);
-            if (!lock.sameDeviation) // wrong in another way each time the program starts
-                result.diagnoses.insert(result.diagnoses.begin(), {"ems.samples_reused", 1});
+            result.diagnoses = explain(lock, guessRadiance(m_student, m_expected, m_test.diagnoses),
+                                       "ems.samples_reused");
         } else if (lookAtSuspects(result)) {
             result.diagnoses = {{m_test.diagnoses.other, m_test.diagnoses.otherFit}};
         }

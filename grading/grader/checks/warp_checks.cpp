@@ -205,7 +205,7 @@ CheckResult judgeOutputsAt(CheckContext &context, const WarpEntry &warp, double 
     if (lock.decision == statistics::Decision::Fail) {
         result.verdict = Verdict::Fail;
         result.message += ".";
-        result.diagnoses = guessSamples(warp, parameter, outputs);
+        result.diagnoses = explain(lock, guessSamples(warp, parameter, outputs));
         return result;
     }
     result.message += fmt::format(" (below {} % at 99.99 %).", percent(last.rmsBound));
