@@ -21,6 +21,8 @@ struct UnitSource {
     std::string name;      ///< `warp.cpp`
     std::string shownName; ///< in messages: the hand-in's own path
     std::string text;
+    /// Functions, as the linker knows them, that give way to another object's: here, too.
+    std::vector<std::string> givingWay = {};
 };
 
 /// A built file in the cache, or why there is none.

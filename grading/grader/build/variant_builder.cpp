@@ -30,9 +30,10 @@ std::string safeName(const std::string &name, std::size_t number) {
 constexpr char kStagedHeaders[] = "/hand-in/include/";
 
 bool takesReference(const VariantPlan &plan) {
-    return std::any_of(plan.origins.begin(), plan.origins.end(), [](const auto &each) {
-        return each.second == Origin::Reference || each.second == Origin::ReferenceValue;
-    });
+    return plan.swap.has_value() ||
+           std::any_of(plan.origins.begin(), plan.origins.end(), [](const auto &each) {
+               return each.second == Origin::Reference || each.second == Origin::ReferenceValue;
+           });
 }
 
 Files submittedHeaders(const Submission &submission) {
@@ -114,15 +115,19 @@ std::optional<BuildFailure> VariantBuilder::failureOf(const std::string &unit) {
     return std::nullopt;
 }
 
-VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Origin origin,
-                                                   const Headers &headers) {
+VariantBuilder::Object VariantBuilder::compileUnit(const Unit &unit, const Headers &headers) {
     const auto text = [&](const Files &files) -> const std::string * {
-        const auto found = files.find(unit);
+        const auto found = files.find(unit.name);
         return found != files.end() ? &found->second : nullptr;
     };
+    Origin origin = unit.origin;
     if (origin == Origin::Student) {
-        if (const UnitSource *source = studentSource(unit))
-            return {unit, m_compiler.compile(*source, headers.set, headers.names)};
+        if (const UnitSource *source = studentSource(unit.name)) {
+            UnitSource open = *source;
+            if (unit.swap != nullptr)
+                open.givingWay = unit.swap->symbols;
+            return {unit, m_compiler.compile(open, headers.set, headers.names)};
+        }
         origin = Origin::Starter;
     }
     const std::string *source =
@@ -131,21 +136,26 @@ VariantBuilder::Object VariantBuilder::compileUnit(const std::string &unit, Orig
         source = text(probeUnits());
     if (source == nullptr)
         return {unit, std::filesystem::path()}; // the starter has no such file
-    const std::string define =
-        origin == Origin::ReferenceValue ? "#define NORI_SAMPLE_RETURNS_VALUE 1\n#line 1\n" : "";
-    std::string flat = unit;
+    std::string defines;
+    if (origin == Origin::ReferenceValue)
+        defines += "#define NORI_SAMPLE_RETURNS_VALUE 1\n";
+    if (unit.swap != nullptr) {
+        for (const std::string &function : unit.swap->kept)
+            defines += fmt::format("#define {0} {0}OfOurs\n", function);
+    }
+    if (!defines.empty())
+        defines += "#line 1\n";
+    std::string flat = unit.name;
     std::replace(flat.begin(), flat.end(), '/', '_');
-    return {unit, m_compiler.compile({flat, "the base's " + unit, define + *source}, headers.set,
-                                     headers.names)};
+    return {unit, m_compiler.compile({flat, "the base's " + unit.name, defines + *source},
+                                     headers.set, headers.names)};
 }
 
-std::vector<VariantBuilder::Object>
-VariantBuilder::compileUnits(const std::vector<std::pair<std::string, Origin>> &units,
-                             const Headers &headers) {
+std::vector<VariantBuilder::Object> VariantBuilder::compileUnits(const std::vector<Unit> &units,
+                                                                 const Headers &headers) {
     std::vector<Object> objects(units.size());
-    parallelFor(units.size(), m_jobs, [&](std::size_t i) {
-        objects[i] = compileUnit(units[i].first, units[i].second, headers);
-    });
+    parallelFor(units.size(), m_jobs,
+                [&](std::size_t i) { objects[i] = compileUnit(units[i], headers); });
     return objects;
 }
 
@@ -166,7 +176,7 @@ std::optional<BuildFailure> VariantBuilder::brokenBase() {
             units.push_back(unit);
     }
     for (const std::string &unit : units) {
-        const Object object = compileUnit(unit, Origin::Starter, m_headers);
+        const Object object = compileUnit({unit, Origin::Starter}, m_headers);
         const auto *failure = std::get_if<BuildFailure>(&object.built);
         const bool matters = failure != nullptr && !isPlugin(unit);
         if (matters && !hasUnit(unit))
@@ -176,16 +186,16 @@ std::optional<BuildFailure> VariantBuilder::brokenBase() {
 }
 
 void VariantBuilder::compileAll(const std::function<void(double fraction)> &progress) {
-    std::vector<std::pair<std::string, Origin>> units;
+    std::vector<Unit> units;
     for (const auto &[unit, source] : m_sources)
-        units.emplace_back(unit, Origin::Student);
+        units.push_back({unit, Origin::Student});
     for (const auto &[unit, text] : starterBase().units)
-        units.emplace_back(unit, Origin::Starter);
+        units.push_back({unit, Origin::Starter});
     for (const auto &[unit, text] : probeUnits())
-        units.emplace_back(unit, Origin::Starter);
+        units.push_back({unit, Origin::Starter});
     std::atomic<std::size_t> done{0};
     parallelFor(units.size(), m_jobs, [&](std::size_t i) {
-        compileUnit(units[i].first, units[i].second, m_headers);
+        compileUnit(units[i], m_headers);
         progress(static_cast<double>(++done) / static_cast<double>(units.size()));
     });
     // What does not need headers that break everything is judged without them.
@@ -233,35 +243,38 @@ Variant VariantBuilder::build(const VariantPlan &plan) {
 }
 
 Variant VariantBuilder::build(const VariantPlan &plan, const Headers &headers) {
-    std::vector<std::pair<std::string, Origin>> units;
+    std::vector<Unit> units;
     for (const auto &[unit, text] : probeUnits())
-        units.emplace_back(unit, Origin::Starter);
+        units.push_back({unit, Origin::Starter});
     for (const auto &[unit, text] : starterBase().units) {
         if (plan.origins.count(unit) == 0)
-            units.emplace_back(unit, Origin::Starter);
+            units.push_back({unit, Origin::Starter});
     }
+    const FunctionSwap *swap = plan.swap ? &*plan.swap : nullptr;
     for (const auto &[unit, origin] : plan.origins)
-        units.emplace_back(unit, origin);
+        units.push_back({unit, origin, swap != nullptr && swap->unit == unit ? swap : nullptr});
+    if (swap != nullptr)
+        units.push_back({swap->unit, Origin::Reference, swap});
 
     Variant variant;
     variant.name = plan.name;
     std::vector<std::filesystem::path> objects;
     bool linkable = true;
     for (Object &object : compileUnits(units, headers)) {
-        const auto planned = plan.origins.find(object.unit);
-        const bool isStudents = planned != plan.origins.end() && planned->second == Origin::Student;
+        const bool isStudents = object.unit.origin == Origin::Student;
         if (const auto *failure = std::get_if<BuildFailure>(&object.built)) {
             variant.failures.push_back(*failure);
             variant.isWhole = variant.isWhole && isStudents;
             // A student's file that does not compile costs only what it holds: the starter's
             // stands in, where there is one. One of ours that a changed header breaks is
             // replaced by the student's own; if there is none, a plugin (a new pure virtual) is
-            // left out, and scenes that need it will say so.
-            if (hasUnit(object.unit))
-                object = compileUnit(object.unit, isStudents ? Origin::Starter : Origin::Student,
-                                     headers);
+            // left out, and scenes that need it will say so. For single functions nothing stands
+            // in.
+            if (hasUnit(object.unit.name) && object.unit.swap == nullptr)
+                object = compileUnit(
+                    {object.unit.name, isStudents ? Origin::Starter : Origin::Student}, headers);
             if (std::holds_alternative<BuildFailure>(object.built)) {
-                linkable = linkable && isPlugin(object.unit);
+                linkable = linkable && isPlugin(object.unit.name);
                 continue;
             }
         }

@@ -21,11 +21,19 @@ enum class Origin {
     ReferenceValue, ///< ours; Emitter::sample returns the bare value, as many hand-ins do
 };
 
+/// Ours for single functions of a file, in which the others stay the hand-in's.
+struct FunctionSwap {
+    std::string unit;                 ///< `warp.cpp`
+    std::vector<std::string> symbols; ///< what is ours, as the linker knows it
+    std::vector<std::string> kept;    ///< names of all other functions that ours defines
+};
+
 /// Which units of a variant are not the starter's.
 struct VariantPlan {
     std::string name; ///< for reports: `student`, `reference warp and mesh`
     std::map<std::string, Origin> origins;
-    std::vector<std::string> judged = {}; ///< units of the hand-in that nothing may stand in for
+    std::vector<std::string> judged = {};  ///< units of the hand-in that nothing may stand in for
+    std::optional<FunctionSwap> swap = {}; ///< in a unit that is the hand-in's
 };
 
 /// A probe that was built from parts.
@@ -63,8 +71,14 @@ public:
     std::vector<Note> notes() const;
 
 private:
+    struct Unit {
+        std::string name;
+        Origin origin;
+        const FunctionSwap *swap = nullptr; ///< of this unit
+    };
+
     struct Object {
-        std::string unit;
+        Unit unit;
         Built built;
     };
 
@@ -73,9 +87,8 @@ private:
         std::map<std::string, std::string> names; ///< staged path to what people call it
     };
 
-    Object compileUnit(const std::string &unit, Origin origin, const Headers &headers);
-    std::vector<Object> compileUnits(const std::vector<std::pair<std::string, Origin>> &units,
-                                     const Headers &headers);
+    Object compileUnit(const Unit &unit, const Headers &headers);
+    std::vector<Object> compileUnits(const std::vector<Unit> &units, const Headers &headers);
     std::vector<std::filesystem::path> extraObjects(const Headers &headers);
     Variant build(const VariantPlan &plan, const Headers &headers);
     Headers withBaseHeaders() const;

@@ -40,6 +40,7 @@ struct Check {
     std::string item;     ///< rubric item id
     std::string group;    ///< whose code it judges: a row of the engine's group table, `warp`
     std::string what;     ///< one sentence for people: what is claimed of right code
+    std::string function; ///< the one that it calls; empty: any of the group's
     double tolerance = 0; ///< default of RubricCheck::tolerance
     double gross = 0;     ///< default of RubricCheck::gross
     Evidence evidence = Evidence::Fixed;
@@ -50,7 +51,7 @@ struct Check {
     std::function<CheckResult(CheckContext &)> run;
 };
 
-/// All checks, in the order in which they are run.
+/// All checks, in the order in which they are run: those of an item and function together.
 const std::vector<Check> &checkTable();
 
 /// \return  nullptr if there is none

@@ -303,6 +303,7 @@ std::vector<Check> warpChecks() {
         row.gross = 0.1;
 
         row.id = item + ".samples";
+        row.function = warp.warpFunction;
         row.what = fmt::format("{} gives points of the right density.", warp.warpFunction);
         row.run = atEveryParameter(warp, judgeSamplesAt);
         row.evidence = Evidence::WarpPoints;
@@ -316,6 +317,7 @@ std::vector<Check> warpChecks() {
         row.run = atEveryParameter(warp, judgeEdgesAt);
         checks.push_back(row);
         row.id = item + ".density";
+        row.function = warp.densityFunction;
         row.what = fmt::format("{} is the right density.", warp.densityFunction);
         row.run =
             atEveryParameter(warp, [](CheckContext &context, const WarpEntry &entry, double a) {

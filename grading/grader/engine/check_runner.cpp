@@ -3,6 +3,7 @@
 
 #include <grader/diagnosis/catalogue.h>
 #include <grader/engine/box_context.h>
+#include <grader/engine/warp_plan.h>
 
 #include <fmt/core.h>
 
@@ -217,6 +218,36 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
     return first;
 }
 
+void CheckRunner::followWarps(const Group &group, const std::vector<const Check *> &checks,
+                              std::vector<CheckResult> &results) {
+    std::map<std::string, std::vector<std::size_t>> failed; // by item
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+        if (isAtFault(results[i].verdict))
+            failed[checks[i]->item].push_back(i);
+    }
+    // Where a warp is not there at all, ours must not stand in for it unasked.
+    if (failed.size() < 2 || !ownVariant(group).executable)
+        return;
+    std::vector<std::string> items;
+    for (const auto &[item, numbers] : failed)
+        items.push_back(item);
+    parallelFor(items.size(), m_options.jobs, [&](std::size_t k) {
+        std::set<std::string> others(items.begin(), items.end());
+        others.erase(items[k]);
+        const Variant &built = variant(mendedWarps(others), group);
+        if (!built.executable || !built.isWhole)
+            return;
+        for (const std::size_t i : failed.at(items[k])) {
+            ReferenceAnswers known;
+            CheckResult result = runOn(*checks[i], built, known);
+            if (result.verdict == Verdict::Timeout)
+                return; // it does not end by itself
+            if (rank(result.verdict) > rank(results[i].verdict))
+                results[i] = std::move(result);
+        }
+    });
+}
+
 void CheckRunner::startAnew() {
     m_atFault.clear();
     m_chosenWrongly.clear();
@@ -259,30 +290,49 @@ std::vector<CheckResult> CheckRunner::runGroup(const Group &group,
             return setAll(Verdict::BuildError, failure->describe());
     }
 
-    // Code that never ends costs one time limit, not one per check: the first check goes alone, and
-    // what lies downstream of such code is followed through at once.
+    // Code that never ends costs one time limit, not one per check: the first check of each item
+    // and function goes ahead, and what lies downstream of such code is followed through at once.
     const bool endlessUpstream =
         std::any_of(group.upstream.begin(), group.upstream.end(),
                     [&](const std::string &id) { return m_endless.count(id) != 0; });
-    std::string endless = endlessUpstream ? "code that this needs does not end." : "";
+    const auto codeOf = [](const Check &check) {
+        return check.function.empty() ? check.item : check.function;
+    };
+    std::map<std::string, std::string> endless; // what does not end, by codeOf()
+    std::vector<std::size_t> ahead;
+    std::vector<std::size_t> after;
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+        const bool isFirst = i == 0 || codeOf(*checks[i]) != codeOf(*checks[i - 1]);
+        (isFirst ? ahead : after).push_back(i);
+        if (endlessUpstream)
+            endless[codeOf(*checks[i])] = "code that this needs";
+    }
     std::vector<Verdict> own(checks.size());
     const auto run = [&](std::size_t i) {
         ReferenceAnswers known;
-        CheckResult first = endless.empty()
-                                ? runOn(*checks[i], ownVariant(group), known)
-                                : withVerdict(*checks[i], Verdict::Timeout, "Not run: " + endless);
+        const auto found = endless.find(codeOf(*checks[i]));
+        CheckResult first =
+            found == endless.end()
+                ? runOn(*checks[i], ownVariant(group), known)
+                : withVerdict(*checks[i], Verdict::Timeout,
+                              fmt::format("Not run: {} does not end.", found->second));
         own[i] = first.verdict;
         results[i] = follow(*checks[i], group, std::move(first), known);
         checkDone();
     };
-    if (!checks.empty())
-        run(0);
-    if (!checks.empty() && own[0] == Verdict::Timeout && endless.empty())
-        endless = checks[0]->id + " did not end.";
-    parallelFor(checks.size() - std::min<std::size_t>(checks.size(), 1), m_options.jobs,
-                [&](std::size_t i) { run(i + 1); });
+    const auto runAll = [&](const std::vector<std::size_t> &wanted) {
+        parallelFor(wanted.size(), m_options.jobs, [&](std::size_t k) { run(wanted[k]); });
+    };
+    runAll(ahead);
+    for (const std::size_t i : ahead) {
+        if (own[i] == Verdict::Timeout)
+            endless.emplace(codeOf(*checks[i]), checks[i]->id);
+    }
+    runAll(after);
     if (std::find(own.begin(), own.end(), Verdict::Timeout) != own.end())
         m_endless.insert(group.id);
+    if (group.id == "warp")
+        followWarps(group, checks, results);
     remember(group, results);
     return results;
 }

@@ -45,6 +45,10 @@ private:
     CheckResult measure(const Check &check, const Variant &variant, ReferenceAnswers &known);
     CheckResult follow(const Check &check, const Group &group, CheckResult first,
                        ReferenceAnswers &known);
+    /// Runs what has failed again with ours for all other warps that have: what passes then is
+    /// right, and calls one that is not. Some warp stays at fault, as calls do not go in a circle.
+    void followWarps(const Group &group, const std::vector<const Check *> &checks,
+                     std::vector<CheckResult> &results);
     /// With what a failure of the group is followed through.
     /// \param excusable  something upstream is at fault, or holds up the program
     std::vector<VariantPlan> plansFor(const Group &group, bool excusable);

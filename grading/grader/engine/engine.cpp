@@ -77,6 +77,8 @@ std::vector<CheckResult> Engine::runChecks(VariantBuilder &builder, const Submis
             continue;
         groups.insert(group.id);
         upstream.insert(group.upstream.begin(), group.upstream.end());
+        if (checksOf(asked, group.id).size() < checksOf(all, group.id).size())
+            upstream.insert(group.id); // its code may call that of the group's other items
         if (std::count(group.own.begin(), group.own.end(), "direct_ems.cpp") != 0)
             upstream.insert(kChoiceGroups.begin(), kChoiceGroups.end()); // see settle()
     }

@@ -42,5 +42,17 @@ TEST(Unanswered, NamesWhoseFaultItIs) {
     }
 }
 
+TEST(Explain, NamesWhatIsKeptFirstOnlyWhereConfirmedErrorsDiffer) {
+    using statistics::Decision;
+    const std::vector<Guess> guesses = {{"warp.rounded", 0.9}};
+    const auto first = [&](Decision decision, bool sameDeviation) {
+        return explain({decision, {}, sameDeviation}, guesses).front().id;
+    };
+    EXPECT_EQ(first(Decision::Fail, false), "samples.kept");
+    EXPECT_EQ(first(Decision::Fail, true), "warp.rounded");
+    EXPECT_EQ(first(Decision::Inconclusive, false), "warp.rounded");
+    EXPECT_EQ(explain({Decision::Fail, {}, false}, guesses).size(), 2u);
+}
+
 } // namespace
 } // namespace grader
