@@ -19,15 +19,24 @@ constexpr std::string_view kKept = "//# ";
 /// Scenes that are not the handout's: they ask for what only our own emitters can.
 constexpr std::string_view kOwnScenes[] = {"serapis_ems_power.xml", "serapis_env_map.xml"};
 
-enum class Region { Outside, Graded, Replacement };
+enum class Region { Outside, Graded, Replacement, Kept };
 
 [[noreturn]] void misplaced(const std::string &file, int line, std::string_view marker) {
     throw GraderError(fmt::format("{}:{}: misplaced marker \"{}\"", file, line, marker));
 }
 
+/// \param message  of the region's marker: what is not yet implemented, or nothing
+bool isKept(std::string_view message, const std::vector<std::string> &kept) {
+    return !kept.empty() &&
+           (message.empty() || std::any_of(kept.begin(), kept.end(), [&](const std::string &each) {
+                return message.substr(0, each.size() + 1) == each + "(";
+            }));
+}
+
 } // namespace
 
-std::optional<std::string> starterText(std::string_view text, const std::string &file) {
+std::optional<std::string> starterText(std::string_view text, const std::string &file,
+                                       const std::vector<std::string> &kept) {
     std::string result;
     Region region = Region::Outside;
     int number = 0;
@@ -46,10 +55,12 @@ std::optional<std::string> starterText(std::string_view text, const std::string 
             if (marker == "file" && region == Region::Outside)
                 return std::nullopt;
             if (marker.substr(0, 5) == "begin" && region == Region::Outside) {
-                region = Region::Graded;
-                if (marker.size() > 6)
+                const std::string_view message =
+                    marker.size() > 6 ? marker.substr(6) : std::string_view();
+                region = isKept(message, kept) ? Region::Kept : Region::Graded;
+                if (region == Region::Graded && !message.empty())
                     result += fmt::format("{}throw NoriException(\"{}\");\n",
-                                          line.substr(0, indent), marker.substr(6));
+                                          line.substr(0, indent), message);
             } else if (marker == "else" && region == Region::Graded) {
                 region = Region::Replacement;
             } else if (marker == "end" && region != Region::Outside) {
@@ -57,7 +68,7 @@ std::optional<std::string> starterText(std::string_view text, const std::string 
             } else {
                 misplaced(file, number, body);
             }
-        } else if (region == Region::Outside) {
+        } else if (region == Region::Outside || region == Region::Kept) {
             result += line;
         } else if (region == Region::Replacement) {
             if (body.substr(0, kKept.size()) != kKept)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace grader {
 
@@ -17,9 +18,11 @@ namespace grader {
 ///     // graded: end
 ///     // graded: file      (the whole file is left out)
 ///
+/// \param kept  functions (`Warp::squareToTent`) whose solutions stay, with what has no message
 /// \return  nothing if the file is not part of the student edition
 /// \throws GraderError  on a marker out of place; `file` names the file in it
-std::optional<std::string> starterText(std::string_view text, const std::string &file);
+std::optional<std::string> starterText(std::string_view text, const std::string &file,
+                                       const std::vector<std::string> &kept = {});
 
 /// Writes the student edition of the renderer as a project of its own: include/, compat/, src/,
 /// CMakeLists.txt and the scenes of the assignment.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "variant_builder.h"
 
+#include <grader/build/starter.h>
 #include <grader/error.h>
 
 #include <fmt/core.h>
@@ -34,6 +35,13 @@ bool takesReference(const VariantPlan &plan) {
            std::any_of(plan.origins.begin(), plan.origins.end(), [](const auto &each) {
                return each.second == Origin::Reference || each.second == Origin::ReferenceValue;
            });
+}
+
+std::vector<std::string> symbolsOf(const std::vector<LinkedFunction> &functions) {
+    std::vector<std::string> symbols;
+    for (const LinkedFunction &function : functions)
+        symbols.push_back(function.symbol);
+    return symbols;
 }
 
 Files submittedHeaders(const Submission &submission) {
@@ -123,10 +131,10 @@ VariantBuilder::Object VariantBuilder::compileUnit(const Unit &unit, const Heade
     Origin origin = unit.origin;
     if (origin == Origin::Student) {
         if (const UnitSource *source = studentSource(unit.name)) {
-            UnitSource open = *source;
+            UnitSource part = *source;
             if (unit.swap != nullptr)
-                open.givingWay = unit.swap->symbols;
-            return {unit, m_compiler.compile(open, headers.set, headers.names)};
+                part.givingWay = symbolsOf(unit.swap->ours);
+            return {unit, m_compiler.compile(part, headers.set, headers.names)};
         }
         origin = Origin::Starter;
     }
@@ -136,19 +144,19 @@ VariantBuilder::Object VariantBuilder::compileUnit(const Unit &unit, const Heade
         source = text(probeUnits());
     if (source == nullptr)
         return {unit, std::filesystem::path()}; // the starter has no such file
-    std::string defines;
-    if (origin == Origin::ReferenceValue)
-        defines += "#define NORI_SAMPLE_RETURNS_VALUE 1\n";
-    if (unit.swap != nullptr) {
-        for (const std::string &function : unit.swap->kept)
-            defines += fmt::format("#define {0} {0}OfOurs\n", function);
-    }
-    if (!defines.empty())
-        defines += "#line 1\n";
+    const std::string define =
+        origin == Origin::ReferenceValue ? "#define NORI_SAMPLE_RETURNS_VALUE 1\n#line 1\n" : "";
     std::string flat = unit.name;
     std::replace(flat.begin(), flat.end(), '/', '_');
-    return {unit, m_compiler.compile({flat, "the base's " + unit.name, defines + *source},
-                                     headers.set, headers.names)};
+    UnitSource ours{flat, "the base's " + unit.name, define + *source};
+    if (unit.swap != nullptr) {
+        std::vector<std::string> names;
+        for (const LinkedFunction &function : unit.swap->ours)
+            names.push_back(function.name);
+        ours.text = starterText(ours.text, unit.name, names).value();
+        ours.givingWay = symbolsOf(unit.swap->theirs);
+    }
+    return {unit, m_compiler.compile(ours, headers.set, headers.names)};
 }
 
 std::vector<VariantBuilder::Object> VariantBuilder::compileUnits(const std::vector<Unit> &units,

@@ -21,11 +21,17 @@ enum class Origin {
     ReferenceValue, ///< ours; Emitter::sample returns the bare value, as many hand-ins do
 };
 
-/// Ours for single functions of a file, in which the others stay the hand-in's.
+struct LinkedFunction {
+    std::string name;   ///< `Warp::squareToTent`
+    std::string symbol; ///< as the linker knows it
+};
+
+/// Ours for single functions of a file, in which the others stay the hand-in's. What is ours has
+/// no solution of the others in it.
 struct FunctionSwap {
-    std::string unit;                 ///< `warp.cpp`
-    std::vector<std::string> symbols; ///< what is ours, as the linker knows it
-    std::vector<std::string> kept;    ///< names of all other functions that ours defines
+    std::string unit; ///< `warp.cpp`
+    std::vector<LinkedFunction> ours;
+    std::vector<LinkedFunction> theirs; ///< all others that our file defines
 };
 
 /// Which units of a variant are not the starter's.

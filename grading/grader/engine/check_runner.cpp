@@ -228,24 +228,29 @@ void CheckRunner::followWarps(const Group &group, const std::vector<const Check 
     // Where a warp is not there at all, ours must not stand in for it unasked.
     if (failed.size() < 2 || !ownVariant(group).executable)
         return;
-    std::vector<std::string> items;
-    for (const auto &[item, numbers] : failed)
-        items.push_back(item);
-    parallelFor(items.size(), m_options.jobs, [&](std::size_t k) {
-        std::set<std::string> others(items.begin(), items.end());
-        others.erase(items[k]);
+    std::map<std::string, std::set<std::string>> excusedBy;
+    for (const auto &[item, numbers] : failed) {
+        std::set<std::string> others;
+        for (const auto &[other, itsNumbers] : failed) {
+            if (other != item && excusedBy[other].count(item) == 0)
+                others.insert(other);
+        }
+        if (others.empty())
+            continue;
         const Variant &built = variant(mendedWarps(others), group);
         if (!built.executable || !built.isWhole)
-            return;
-        for (const std::size_t i : failed.at(items[k])) {
+            continue;
+        for (const std::size_t i : numbers) {
             ReferenceAnswers known;
             CheckResult result = runOn(*checks[i], built, known);
             if (result.verdict == Verdict::Timeout)
-                return; // it does not end by itself
-            if (rank(result.verdict) > rank(results[i].verdict))
-                results[i] = std::move(result);
+                break; // it does not end by itself
+            if (rank(result.verdict) <= rank(results[i].verdict))
+                continue;
+            results[i] = std::move(result);
+            excusedBy[item] = others;
         }
-    });
+    }
 }
 
 void CheckRunner::startAnew() {

@@ -45,8 +45,9 @@ private:
     CheckResult measure(const Check &check, const Variant &variant, ReferenceAnswers &known);
     CheckResult follow(const Check &check, const Group &group, CheckResult first,
                        ReferenceAnswers &known);
-    /// Runs what has failed again with ours for all other warps that have: what passes then is
-    /// right, and calls one that is not. Some warp stays at fault, as calls do not go in a circle.
+    /// Runs what has failed again with ours for the other warps that have: what passes then is
+    /// right, and calls one that is not. Of warps that call each other in a circle, which is right
+    /// with ours for any of them, not all are excused: none by one that was excused by it.
     void followWarps(const Group &group, const std::vector<const Check *> &checks,
                      std::vector<CheckResult> &results);
     /// With what a failure of the group is followed through.

@@ -10,33 +10,29 @@ namespace grader {
 
 namespace {
 
-constexpr std::string_view kClass = "Warp::";
+constexpr char kPoint2f[] = "NS_6TPointIfLi2EEE";
+constexpr char kVector3f[] = "NS_7TVectorIfLi3EEE";
 
-/// The name of a member of nori::Warp in the linker's language (Itanium C++ ABI, 5.1).
-/// \param domain  mangled type of the first argument, which is passed by reference
-std::string symbolOf(const std::string &function, const char *domain, bool hasParameter) {
-    return fmt::format("_ZN4nori4Warp{}{}ERK{}{}", function.size(), function, domain,
-                       hasParameter ? "f" : "");
+/// \param function  a member of nori::Warp
+/// \param domain    type of its first argument, which is passed by reference, in the linker's
+///                  language (Itanium C++ ABI, 5.1)
+LinkedFunction linked(const std::string &function, const char *domain, bool hasParameter) {
+    const std::string member = function.substr(std::string_view("Warp::").size());
+    return {function, fmt::format("_ZN4nori4Warp{}{}ERK{}{}", member.size(), member, domain,
+                                  hasParameter ? "f" : "")};
 }
 
 } // namespace
 
 VariantPlan mendedWarps(const std::set<std::string> &items) {
-    constexpr char kPoint2f[] = "NS_6TPointIfLi2EEE";
-    constexpr char kVector3f[] = "NS_7TVectorIfLi3EEE";
     VariantPlan plan = studentPlan(findGroup("warp"));
     plan.name = fmt::format("ours: {}", fmt::join(items, ", "));
     FunctionSwap swap{findGroup("warp").own.front(), {}, {}};
     for (const catalog::WarpEntry &warp : catalog::warpCatalog()) {
-        const std::string sample = warp.warpFunction.substr(kClass.size());
-        const std::string density = warp.densityFunction.substr(kClass.size());
-        if (items.count(warp.rubricId) == 0) {
-            swap.kept.insert(swap.kept.end(), {sample, density});
-            continue;
-        }
-        swap.symbols.push_back(symbolOf(sample, kPoint2f, warp.hasParameter));
-        swap.symbols.push_back(
-            symbolOf(density, warp.dimension == 2 ? kPoint2f : kVector3f, warp.hasParameter));
+        auto &functions = items.count(warp.rubricId) != 0 ? swap.ours : swap.theirs;
+        functions.push_back(linked(warp.warpFunction, kPoint2f, warp.hasParameter));
+        functions.push_back(linked(warp.densityFunction, warp.dimension == 2 ? kPoint2f : kVector3f,
+                                   warp.hasParameter));
     }
     plan.swap = std::move(swap);
     return plan;

@@ -36,6 +36,14 @@ TEST(Starter, UncommentsTheReplacement) {
               "  naive\n");
 }
 
+TEST(Starter, KeepsTheSolutionsItIsAskedForAndWhatAllNeed) {
+    const std::string text = "// graded: begin\nhelper\n// graded: end\n"
+                             "// graded: begin W::f() is not done!\nof f\n// graded: end\n"
+                             "// graded: begin W::fPdf() is not done!\nof fPdf\n// graded: end\n";
+    EXPECT_EQ(starterText(text, "w.cpp", {"W::f"}),
+              "helper\nof f\nthrow NoriException(\"W::fPdf() is not done!\");\n");
+}
+
 TEST(Starter, LeavesOutWholeFiles) {
     EXPECT_EQ(starterText("// SPDX\n// graded: file\nsecret\n", "f"), std::nullopt);
 }
