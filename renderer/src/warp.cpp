@@ -14,6 +14,13 @@ float tent(float u) {
                     : 1.0f - std::sqrt(std::max(0.0f, 2.0f - 2.0f * u));
 }
 
+/// The uniform disk: area grows with r^2.
+Point2f onDisk(const Point2f &sample) {
+    const float r = std::sqrt(sample.x());
+    const float phi = 2.0f * M_PI * sample.y();
+    return {r * std::cos(phi), r * std::sin(phi)};
+}
+
 /// sqrt(1 - x^2), 0 where rounding has taken x beyond 1.
 float complement(float x) {
     return std::sqrt(std::max(0.0f, 1.0f - x * x));
@@ -45,9 +52,7 @@ float Warp::squareToTentPdf(const Point2f &p) {
 
 Point2f Warp::squareToUniformDisk(const Point2f &sample) {
     // graded: begin Warp::squareToUniformDisk() is not yet implemented!
-    const float r = std::sqrt(sample.x()); // area grows with r^2
-    const float phi = 2.0f * M_PI * sample.y();
-    return {r * std::cos(phi), r * std::sin(phi)};
+    return onDisk(sample);
     // graded: end
 }
 
@@ -103,7 +108,7 @@ float Warp::squareToUniformHemispherePdf(const Vector3f &v) {
 
 Vector3f Warp::squareToCosineHemisphere(const Point2f &sample) {
     // graded: begin Warp::squareToCosineHemisphere() is not yet implemented!
-    const Point2f p = squareToUniformDisk(sample); // Malley: lift a uniform disk (PBRT3 13.6.3)
+    const Point2f p = onDisk(sample); // Malley: lift a uniform disk (PBRT3 13.6.3)
     return {p.x(), p.y(), std::sqrt(std::max(0.0f, 1.0f - p.squaredNorm()))};
     // graded: end
 }

@@ -220,35 +220,46 @@ CheckResult CheckRunner::follow(const Check &check, const Group &group, CheckRes
 
 void CheckRunner::followWarps(const Group &group, const std::vector<const Check *> &checks,
                               std::vector<CheckResult> &results) {
-    std::map<std::string, std::vector<std::size_t>> failed; // by item
+    struct Failed {
+        std::string item;
+        std::vector<std::size_t> checks;
+        std::set<std::string> excusedBy; ///< functions that were ours when it was right
+    };
+
+    std::map<std::string, Failed> failed; // by function
     for (std::size_t i = 0; i < checks.size(); ++i) {
-        if (isAtFault(results[i].verdict))
-            failed[checks[i]->item].push_back(i);
+        if (!isAtFault(results[i].verdict))
+            continue;
+        Failed &function = failed[checks[i]->function];
+        function.item = checks[i]->item;
+        function.checks.push_back(i);
     }
+    const Variant &own = ownVariant(group);
     // Where a warp is not there at all, ours must not stand in for it unasked.
-    if (failed.size() < 2 || !ownVariant(group).executable)
+    if (failed.size() < 2 || !own.executable)
         return;
-    std::map<std::string, std::set<std::string>> excusedBy;
-    for (const auto &[item, numbers] : failed) {
+    const VariantPlan plan =
+        own.name == studentPlan(group).name ? studentPlan(group) : wholePlan(group);
+    for (auto &[name, function] : failed) {
         std::set<std::string> others;
-        for (const auto &[other, itsNumbers] : failed) {
-            if (other != item && excusedBy[other].count(item) == 0)
-                others.insert(other);
+        for (const auto &[otherName, other] : failed) {
+            if (other.item != function.item && other.excusedBy.count(name) == 0)
+                others.insert(otherName);
         }
         if (others.empty())
             continue;
-        const Variant &built = variant(mendedWarps(others), group);
+        const Variant &built = variant(mendedWarps(plan, others), group);
         if (!built.executable || !built.isWhole)
             continue;
-        for (const std::size_t i : numbers) {
+        for (const std::size_t i : function.checks) {
             ReferenceAnswers known;
             CheckResult result = runOn(*checks[i], built, known);
             if (result.verdict == Verdict::Timeout)
                 break; // it does not end by itself
-            if (rank(result.verdict) <= rank(results[i].verdict))
+            if (result.verdict != Verdict::Pass && result.verdict != Verdict::Inconclusive)
                 continue;
             results[i] = std::move(result);
-            excusedBy[item] = others;
+            function.excusedBy = others;
         }
     }
 }

@@ -24,16 +24,17 @@ LinkedFunction linked(const std::string &function, const char *domain, bool hasP
 
 } // namespace
 
-VariantPlan mendedWarps(const std::set<std::string> &items) {
-    VariantPlan plan = studentPlan(findGroup("warp"));
-    plan.name = fmt::format("ours: {}", fmt::join(items, ", "));
+VariantPlan mendedWarps(VariantPlan plan, const std::set<std::string> &functions) {
     FunctionSwap swap{findGroup("warp").own.front(), {}, {}};
+    const auto add = [&](const std::string &function, const char *domain, bool hasParameter) {
+        (functions.count(function) != 0 ? swap.ours : swap.theirs)
+            .push_back(linked(function, domain, hasParameter));
+    };
     for (const catalog::WarpEntry &warp : catalog::warpCatalog()) {
-        auto &functions = items.count(warp.rubricId) != 0 ? swap.ours : swap.theirs;
-        functions.push_back(linked(warp.warpFunction, kPoint2f, warp.hasParameter));
-        functions.push_back(linked(warp.densityFunction, warp.dimension == 2 ? kPoint2f : kVector3f,
-                                   warp.hasParameter));
+        add(warp.warpFunction, kPoint2f, warp.hasParameter);
+        add(warp.densityFunction, warp.dimension == 2 ? kPoint2f : kVector3f, warp.hasParameter);
     }
+    plan.name = fmt::format("ours: {}", fmt::join(functions, ", "));
     plan.swap = std::move(swap);
     return plan;
 }

@@ -8,9 +8,10 @@
 
 namespace grader {
 
-/// The hand-in's warp.cpp with ours for the warps of these items, and for no other: one warp may
-/// call another, as the cosine-weighted hemisphere does that lifts a disk (Malley).
-/// \param items  of the rubric, `warp.disk`
-VariantPlan mendedWarps(const std::set<std::string> &items);
+/// The hand-in with ours for these functions of its warp.cpp, and for no other: one warp may call
+/// another, as the cosine-weighted hemisphere does that lifts a disk (Malley).
+/// \param plan       has the hand-in's warp.cpp
+/// \param functions  `Warp::squareToUniformDisk`
+VariantPlan mendedWarps(VariantPlan plan, const std::set<std::string> &functions);
 
 } // namespace grader
