@@ -33,6 +33,22 @@ bool isKept(std::string_view message, const std::vector<std::string> &kept) {
             }));
 }
 
+std::string_view messageOf(std::string_view marker) {
+    return marker.size() > 6 ? marker.substr(6) : std::string_view();
+}
+
+/// \return  nothing where the marker is out of place
+std::optional<Region> regionAfter(std::string_view marker, Region region,
+                                  const std::vector<std::string> &kept) {
+    if (marker.substr(0, 5) == "begin" && region == Region::Outside)
+        return isKept(messageOf(marker), kept) ? Region::Kept : Region::Graded;
+    if (marker == "else" && region == Region::Graded)
+        return Region::Replacement;
+    if (marker == "end" && region != Region::Outside)
+        return Region::Outside;
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::string> starterText(std::string_view text, const std::string &file,
@@ -54,20 +70,13 @@ std::optional<std::string> starterText(std::string_view text, const std::string 
             const std::string_view marker = body.substr(kMarker.size());
             if (marker == "file" && region == Region::Outside)
                 return std::nullopt;
-            if (marker.substr(0, 5) == "begin" && region == Region::Outside) {
-                const std::string_view message =
-                    marker.size() > 6 ? marker.substr(6) : std::string_view();
-                region = isKept(message, kept) ? Region::Kept : Region::Graded;
-                if (region == Region::Graded && !message.empty())
-                    result += fmt::format("{}throw NoriException(\"{}\");\n",
-                                          line.substr(0, indent), message);
-            } else if (marker == "else" && region == Region::Graded) {
-                region = Region::Replacement;
-            } else if (marker == "end" && region != Region::Outside) {
-                region = Region::Outside;
-            } else {
+            const std::optional<Region> after = regionAfter(marker, region, kept);
+            if (!after)
                 misplaced(file, number, body);
-            }
+            region = *after;
+            if (region == Region::Graded && !messageOf(marker).empty())
+                result += fmt::format("{}throw NoriException(\"{}\");\n", line.substr(0, indent),
+                                      messageOf(marker));
         } else if (region == Region::Outside || region == Region::Kept) {
             result += line;
         } else if (region == Region::Replacement) {

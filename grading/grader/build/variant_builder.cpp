@@ -39,6 +39,7 @@ bool takesReference(const VariantPlan &plan) {
 
 std::vector<std::string> symbolsOf(const std::vector<LinkedFunction> &functions) {
     std::vector<std::string> symbols;
+    symbols.reserve(functions.size());
     for (const LinkedFunction &function : functions)
         symbols.push_back(function.symbol);
     return symbols;
@@ -250,7 +251,7 @@ Variant VariantBuilder::build(const VariantPlan &plan) {
     return withBase.executable && judgesIt ? withBase : variant;
 }
 
-Variant VariantBuilder::build(const VariantPlan &plan, const Headers &headers) {
+std::vector<VariantBuilder::Unit> VariantBuilder::unitsOf(const VariantPlan &plan) {
     std::vector<Unit> units;
     for (const auto &[unit, text] : probeUnits())
         units.push_back({unit, Origin::Starter});
@@ -263,12 +264,15 @@ Variant VariantBuilder::build(const VariantPlan &plan, const Headers &headers) {
         units.push_back({unit, origin, swap != nullptr && swap->unit == unit ? swap : nullptr});
     if (swap != nullptr)
         units.push_back({swap->unit, Origin::Reference, swap});
+    return units;
+}
 
+Variant VariantBuilder::build(const VariantPlan &plan, const Headers &headers) {
     Variant variant;
     variant.name = plan.name;
     std::vector<std::filesystem::path> objects;
     bool linkable = true;
-    for (Object &object : compileUnits(units, headers)) {
+    for (Object &object : compileUnits(unitsOf(plan), headers)) {
         const bool isStudents = object.unit.origin == Origin::Student;
         if (const auto *failure = std::get_if<BuildFailure>(&object.built)) {
             variant.failures.push_back(*failure);

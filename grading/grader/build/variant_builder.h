@@ -79,7 +79,7 @@ public:
 private:
     struct Unit {
         std::string name;
-        Origin origin;
+        Origin origin = Origin::Starter;
         const FunctionSwap *swap = nullptr; ///< of this unit
     };
 
@@ -93,6 +93,7 @@ private:
         std::map<std::string, std::string> names; ///< staged path to what people call it
     };
 
+    static std::vector<Unit> unitsOf(const VariantPlan &plan);
     Object compileUnit(const Unit &unit, const Headers &headers);
     std::vector<Object> compileUnits(const std::vector<Unit> &units, const Headers &headers);
     std::vector<std::filesystem::path> extraObjects(const Headers &headers);
